@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <kushi/result.h>
+#include <kushi/strands.h>
+#include <kushi/vec.h>
+
+namespace kushi {
+
+/// A perspective camera.
+struct Camera {
+    Vec3f eye, target;              ///< m
+    Vec3f up = {0, 1, 0};           ///< need not be normal to the view
+    float verticalFieldOfView = 0.35F;  ///< rad
+};
+
+/// Where a camera stands around the head [rad].
+struct View {
+    double yaw = 0;    ///< 0 in front of the face, growing towards the person's right
+    double pitch = 0;  ///< > 0 looks from above
+};
+
+/// front, back, left, right, top, three-quarter, or "YAW,PITCH" in degrees.
+/// `left` has the camera at the person's left (-z).
+Result<View> parseView(const std::string& text);
+
+/// A camera in the direction `view` that sees the whole ball around `bounds`, for a picture of
+/// width / height = `aspect`.
+Camera frame(const Bounds& bounds, View view, double aspect);
+
+}  // namespace kushi

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <kushi/color.h>
+#include <kushi/result.h>
+
+namespace kushi {
+
+/// A picture in linear light, rows from the top, pixels from the left.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<Rgb> pixels;
+
+    Rgb& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+    const Rgb& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
+};
+
+/// Writes an 8-bit sRGB PNG; values are clamped to [0, 1]. The file appears whole or not at all.
+Status writePng(const Image& image, const std::string& path);
+
+}  // namespace kushi

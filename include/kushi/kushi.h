@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Everything, in the order of the data's way.
+#include <kushi/result.h>
+#include <kushi/vec.h>
+#include <kushi/color.h>
+#include <kushi/ellipsoid.h>
+#include <kushi/mesh.h>
+#include <kushi/strands.h>
+#include <kushi/style.h>
+#include <kushi/follicles.h>
+#include <kushi/cantilever.h>
+#include <kushi/settle.h>
+#include <kushi/shade.h>
+#include <kushi/camera.h>
+#include <kushi/draw.h>
+#include <kushi/image.h>
+#include <kushi/groom_io.h>

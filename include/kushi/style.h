@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <kushi/ellipsoid.h>
+#include <kushi/result.h>
+
+namespace kushi {
+
+// A style as the library sees it: SI units and radians, every default filled in. The document that
+// people write is TOML in centimetres and degrees; docs/style-file.md lists its keys.
+
+/// A closed range; without limits by default.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+
+/// Which follicles, by the angles of the part's ellipsoid [rad].
+struct RootRange {
+    Range theta;  ///< within [0, pi]
+    Range phi;    ///< within [-2 pi, 2 pi], spanning at most a turn; may run past pi
+};
+
+/// Where in space, in world axes [m].
+struct Box {
+    Range x, y, z;
+};
+
+/// Where hair grows (Usami & Anjyo 1992, 2.3).
+struct Scalp {
+    Ellipsoid ellipsoid;
+    std::optional<double> spacing;  ///< m between follicles; exactly one of spacing and count
+    std::optional<int> count;       ///< follicles
+    double jitter = 0.5;            ///< each follicle moves by up to +-jitter/2 spacings, in [0, 1]
+    std::vector<RootRange> regions = {RootRange{}};  ///< their union
+};
+
+/// Direction in which unloaded hair leaves the scalp.
+enum class Growth {
+    Normal,  ///< along the ellipsoid's outward normal
+    Radial,  ///< along the line from the ellipsoid's centre
+};
+
+/// What a strand is made of.
+struct Hair {
+    double length = 0;                    ///< m
+    double lengthVariation = 0;           ///< each strand's length varies by up to +- this share
+    double youngsModulus = 3.9e9;         ///< Pa
+    double diameter = 75e-6;              ///< m
+    double density = 1320;                ///< kg/m3
+    std::optional<double> flexuralRigidity;  ///< N m2; replaces the value from modulus and diameter
+    double stiffness = 1;                 ///< times the rigidity
+    Growth growth = Growth::Normal;
+
+    /// EI of the round section, or what replaces it, times stiffness [N m2].
+    double rigidity() const;
+    /// Weight per unit length under the earth's gravity [N/m].
+    double weightPerLength() const;
+};
+
+/// The earth's gravity [m/s2].
+inline constexpr double earthGravity = 9.80665;
+
+/// A fixed direction, or one that turns with the place.
+struct ForceDirection {
+    bool radial = false;  ///< horizontally away from the world's y axis; `vector` is not used
+    Vec3d vector;         ///< unit
+};
+
+/// Softened edges of a force; hard where 0.
+struct Falloff {
+    double angle = 0;   ///< width of the ramp across each edge of the root range [rad]
+    double distance = 0;  ///< width of the ramp across each face of the box [m]
+};
+
+/// An external force on some strands in some place (Usami & Anjyo 1992, 2.4, figure 7).
+struct Force {
+    RootRange roots;
+    Box within;
+    ForceDirection direction;
+    double magnitude = 0;  ///< times the hair's own weight; negative reverses
+    Falloff falloff;
+};
+
+enum class CutMode {
+    Hide,    ///< the paper's: what lies beyond is not shown, the shape stays
+    Settle,  ///< the shorter hair is bent anew
+};
+
+/// A cut (Usami & Anjyo 1992, 2.4): exactly one of `below` and `keep`.
+struct Cut {
+    /// Length left on strands whose root lies at height y.
+    struct Keep {
+        double y = 0;       ///< height of the root [m]
+        double length = 0;  ///< m
+    };
+    RootRange roots;
+    std::optional<double> below;  ///< height [m]
+    std::vector<Keep> keep;       ///< by ascending y; linear between, constant beyond the ends
+    CutMode mode = CutMode::Settle;
+};
+
+/// A separately defined body of hair.
+struct Part {
+    std::string name;  ///< unique in the style
+    Scalp scalp;
+    Hair hair;
+    std::vector<Force> forces;
+    std::vector<Cut> cuts;
+};
+
+enum class Method { Cantilever, Equilibrium };
+
+/// How well, not what.
+struct Solver {
+    Method method = Method::Cantilever;
+    int segments = 24;       ///< per strand, 1 to 256
+    int avoidanceSteps = 4;  ///< angles tried, 1 to 16
+};
+
+struct Style {
+    std::string name;
+    std::uint64_t seed = 1;
+    Vec3d gravity = {0, -1, 0};      ///< times the earth's
+    std::string headMesh = "mannequin";  ///< or "none"
+    Solver solver;
+    std::vector<Part> parts;
+};
+
+/// Reads and validates a style; on failure every problem found, in the order of the text.
+Result<Style> readStyle(const std::string& path);
+
+/// The same for text already in memory; `file` stands in the problems.
+Result<Style> parseStyle(std::string_view text, const std::string& file);
+
+/// A value of the document, in the document's own units.
+using StyleValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+
+/// The text of a style with one value set: what stood there is replaced, or the key is added at the
+/// end of its table; all else (comments, order, spelling of numbers) stays byte for byte.
+///
+/// key  as in "solver.segments", "gravity" or, counting from 0, "part[0].force[2].magnitude"; a
+///      style that keeps its one part at the top takes both "hair.length" and "part[0].hair.length"
+/// A text that does not parse, a table that does not exist or a result that is not a valid style is
+/// a problem.
+Result<std::string> withValue(std::string_view text, std::string_view key, const StyleValue& value);
+
+}  // namespace kushi

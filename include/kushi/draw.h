@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include <kushi/camera.h>
@@ -11,22 +13,45 @@
 namespace kushi {
 
 struct DrawOptions {
-    int width = 1024, height = 1024;     ///< pixels, 1 to 16384
-    int supersample = 4;                 ///< samples per pixel along each axis: 1, 2 or 4
+    int width = 1024, height = 1024;  ///< pixels, 1 to 16384
+    int supersample = 4;              ///< samples per pixel along each axis: 1, 2 or 4
     Rgb background = {0.72F, 0.73F, 0.75F};
-    int threads = 0;                     ///< 0: as many as the machine has
+    int threads = 0;  ///< 0: as many as the machine has
 };
 
 /// Draws strands as lines one sample wide, with a colour per node interpolated along each segment,
 /// and the mesh's triangles with their vertex colours, all depth-tested sample by sample; then
 /// averages each pixel's samples in linear light. (The paper: 4096 x 4096 filtered to 1024 x 1024.)
 ///
-/// The result does not depend on the number of threads. Where strands meet at equal depth, the one
-/// that comes first wins.
+/// A line of length l on the picture covers l samples on average, whatever its place and slope.
+/// Shared nodes are drawn once: a segment owns its first node, not its last. The result does not
+/// depend on the number of threads. At equal depth the strand, then the segment, that comes first
+/// wins, and hair wins over the mesh. Segments and triangles with a corner that is not finite or
+/// lies more than 2^30 samples from the picture are left out.
 ///
-/// colors  linear, as many as strands.nodes
-/// head    with `colors`; may have no triangles
+/// colors   linear, as many as strands.nodes
+/// head     with `colors`, or it is mid-grey; both sides are drawn; may have no triangles
+/// returns  an empty image if an option is out of range or a size does not fit
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options);
+
+/// How much of a surface hair leaves to be seen, in samples of the picture.
+struct Showing {
+    std::size_t seen = 0;  ///< samples that show it through the hair
+    std::size_t bare = 0;  ///< samples that would show it without hair
+
+    /// seen / bare, in [0, 1]; 0 where it cannot be seen anyway.
+    double share() const {
+        return bare > 0 ? static_cast<double>(seen) / static_cast<double>(bare) : 0;
+    }
+};
+
+/// Counts the samples of the picture draw() would make that show marked triangles of the head: with
+/// the paper's words, whether the scalp shows.
+///
+/// marked   one per triangle of `head`, not 0 where the triangle counts; the others only hide
+/// returns  nothing seen if an option is out of range or a size does not fit
+Showing countShowing(const Strands& strands, const Mesh& head, std::span<const std::uint8_t> marked,
+                     const Camera& camera, const DrawOptions& options);
 
 }  // namespace kushi

@@ -10,8 +10,8 @@ namespace kushi {
 
 /// Something a user can mend: a sentence, and where it applies when that is known.
 struct Problem {
-    std::string message;  ///< what was found and what was expected, without a final full stop
-    std::string file;     ///< path as the user gave it; empty if none
+    std::string message = {};  ///< what was found and what was expected, without a final full stop
+    std::string file = {};  ///< path as the user gave it; empty if none
     int line = 0;         ///< from 1; 0 if unknown
     int column = 0;       ///< from 1, in characters; 0 if unknown
     bool system = false;  ///< the machine's fault (a full disk), not the input's

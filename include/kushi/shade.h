@@ -13,36 +13,47 @@ namespace kushi {
 /// A distant light.
 struct Light {
     Vec3f direction;  ///< unit, from the scene towards the light
-    Rgb color;        ///< linear intensity
+    Rgb color;        ///< linear intensity: a white matt surface square to it gets this colour
 };
 
 struct Lights {
-    Rgb ambient = {1, 1, 1};
+    Rgb ambient;  ///< linear intensity from everywhere
     std::vector<Light> distant;
 };
+
+/// A salon in daylight: a soft key light from the front and above, a little to the person's right;
+/// a cool fill from the left; a rim from behind. In world axes, for a head that looks along +x.
+Lights studioLights();
 
 /// How hair answers light in the paper's shading (ambient + diffuse + Blinn's specular on a
 /// cylinder; Anjyo, Usami & Kurihara 1992).
 struct HairLook {
-    Rgb color = {0.10F, 0.055F, 0.035F};   ///< diffuse colour
+    Rgb color = {0.10F, 0.055F, 0.035F};  ///< of the hair itself: dark brown
     Rgb specularColor = {1, 1, 1};
-    float ambient = 0.15F;    ///< ka
-    float diffuse = 0.5F;     ///< kd
-    float specular = 0.5F;    ///< ks
-    float shininess = 80;     ///< Blinn's exponent n, > 0
+    float ambient = 0.15F;  ///< ka
+    float diffuse = 0.5F;   ///< kd
+    float specular = 0.5F;  ///< ks
+    float shininess = 80;   ///< Blinn's exponent n, > 0; the highlight is as wide as Kajiya and
+                            ///< Kay's with the exponent n / 4
 };
 
-/// One linear colour per node, seen from `eye` [m].
+/// One linear colour per node, seen from `eye` [m]:
 ///
-/// The normal at each node is the one of the cylinder that gives the strongest highlight, so that
-/// S = (1 - (t.H)^2)^(n/2) and D = sqrt(1 - (t.L)^2), with t the mean direction of the segments that
-/// meet at the node. Neither the order of a strand's nodes nor the number of threads matters.
+///     ka ambient color  +  sum over lights of  light (kd color D + ks specularColor S),
+///     D = sqrt(1 - (t.L)^2),  S = (1 - (t.H)^2)^(n/2),  H = (L + V) / |L + V|.
 ///
-/// colors  as many as strands.nodes; overwritten
+/// That is Blinn's highlight for the brightest normal of the cylinder. t is the mean direction of
+/// the segments that meet at the node (one without length counts as its neighbours do), L points to
+/// the light, V to the eye; S = 0 for light straight from behind, |L + V| < 1e-4. Nothing casts a
+/// shadow. Neither the order of a strand's nodes nor the number of threads matters.
+///
+/// strands  where they have colours, these replace look.color
+/// colors   as many as strands.nodes; overwritten
+/// threads  0: as many as the machine has
 void shade(const Strands& strands, const Lights& lights, const HairLook& look, Vec3f eye,
            std::span<Rgb> colors, int threads = 0);
 
-/// One linear colour per vertex of a matt mesh: ambient + Lambert.
+/// One linear colour per vertex of a matt mesh: albedo (ambient + sum of light max(0, N.L)).
 std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, Rgb albedo);
 
 }  // namespace kushi

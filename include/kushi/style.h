@@ -41,7 +41,7 @@ struct Scalp {
     std::optional<double> spacing;  ///< m between follicles; exactly one of spacing and count
     std::optional<int> count;       ///< follicles
     double jitter = 0.5;            ///< each follicle moves by up to +-jitter/2 spacings, in [0, 1]
-    std::vector<RootRange> regions = {RootRange{}};  ///< their union
+    std::vector<RootRange> regions = std::vector<RootRange>(1);  ///< their union
 };
 
 /// Direction in which unloaded hair leaves the scalp.

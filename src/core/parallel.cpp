@@ -2,11 +2,12 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #include <thread>
 #include <vector>
-
-#if !defined(__SANITIZE_THREAD__)
+#else
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -33,7 +34,9 @@ void runPieces(std::size_t pieces, int threads, const std::function<void(std::si
 #else
 
 void runPieces(std::size_t pieces, int threads, const std::function<void(std::size_t)>& run) {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    // More than the machine has would only make TBB print a warning.
+    const int most = tbb::info::default_concurrency();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, most) : most);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces, run); });
 }
 

@@ -72,9 +72,11 @@ double Ellipsoid::depth(Vec3d world) const {
     // surface; what is missing lies along that axis.
     Vec3d x = nearest(high);
     const Vec3d scaled = divide(x, semiAxes);
-    const double missing = std::sqrt(std::max(0.0, 1 - dot(scaled, scaled)));
-    double& shortest = squares.x == smallest ? x.x : (squares.y == smallest ? x.y : x.z);
-    shortest += std::copysign(missing * std::sqrt(smallest), shortest);
+    const double missing = 1 - dot(scaled, scaled);
+    if (missing > 1e-9) {
+        double& shortest = squares.x == smallest ? x.x : (squares.y == smallest ? x.y : x.z);
+        shortest += std::copysign(std::sqrt(missing * smallest), shortest);
+    }
     return length(x - p);
 }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <kushi/result.h>
+#include <kushi/strands.h>
+#include <kushi/style.h>
+
+namespace kushi {
+
+/// How to settle; what is left out is as the style says.
+struct SettleOptions {
+    std::optional<int> segments;       ///< per strand, 1 to 256
+    std::optional<std::size_t> count;  ///< strands of all parts together, before cuts leave any out
+    int threads = 0;                   ///< 0: as many as the machine has
+    bool measurePenetration = false;   ///< fill SettleReport::maxPenetration
+    /// Told the share done, in [0, 1], now and then and from any thread; may be empty.
+    std::function<void(double)> progress;
+};
+
+/// A step of the way and how long it took.
+struct StageTime {
+    std::string stage;
+    double milliseconds = 0;
+};
+
+struct SettleReport {
+    std::size_t strands = 0;
+    std::size_t segments = 0;  ///< in all
+    std::vector<StageTime> stages;
+    /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps nodes
+    /// outside, not what lies between them.
+    std::optional<double> maxPenetration;
+};
+
+/// A head of hair at rest.
+struct SettledGroom {
+    Strands strands;  ///< as exported: what cuts hide is not in it; with keys and diameters
+    /// Per strand: the inner end of the short piece that is drawn from the follicle towards the
+    /// ellipsoid's centre, so that no gap shows over the head [m].
+    std::vector<Vec3f> innerEnds;
+    SettleReport report;
+};
+
+/// Style -> follicles -> rods -> cuts. The same style gives the same bytes from any number of threads.
+///
+/// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
+/// anew. Parts share it in proportion to what they have. Where hide cuts leave nothing of a strand
+/// (its follicle lies below the height), it is left out.
+Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
+
+/// The strands with their inner pieces, for drawing.
+Strands withInnerPieces(const SettledGroom& groom);
+
+}  // namespace kushi

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <kushi/style.h>
+
+namespace kushi {
+
+/// Length of a strand that a cut leaves [m]: 0 where the follicle itself lies below the height,
+/// nothing where the cut does not reach the strand.
+///
+/// nodes  at least two, root first [m]
+std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes);
+
+/// The first `length` metres of a polyline, ending on the segment where that falls.
+std::vector<Vec3d> clipped(std::span<const Vec3d> nodes, double length);
+
+}  // namespace kushi

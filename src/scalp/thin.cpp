@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <tuple>
+
+#include <nanoflann.hpp>
+
+#include <kushi/follicles.h>
+
+namespace kushi {
+
+namespace {
+
+// The view of some follicles that nanoflann asks for.
+struct Cloud {
+    const std::vector<Vec3d>& roots;
+    const std::vector<std::size_t>& members;
+
+    std::size_t kdtree_get_point_count() const { return members.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        const Vec3d& root = roots[members[i]];
+        return axis == 0 ? root.x : (axis == 1 ? root.y : root.z);
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box& /*box*/) const {
+        return false;
+    }
+};
+
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
+                                        std::size_t>;
+
+// Pairs (index among the members, squared distance), nearest first, ties by index.
+std::vector<std::pair<std::size_t, double>> neighbours(const Tree& tree, Vec3d at, double radius) {
+    const std::array<double, 3> query = {at.x, at.y, at.z};
+    std::vector<std::pair<std::size_t, double>> found;
+    tree.radiusSearch(query.data(), radius * radius, found, nanoflann::SearchParams(0, 0, false));
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+// Takes members out, always the one with the most crowded surroundings, until `target` are left. The
+// order in which they go depends on `scale` (the number that the whole round aims at), not on
+// `target`; so rounds that stop early keep a superset.
+std::vector<std::size_t> eliminate(const Follicles& follicles, const std::vector<std::size_t>& members,
+                                   double area, std::size_t scale, std::size_t target) {
+    const Cloud cloud{follicles.roots, members};
+    const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+    const double reach = 2 * std::sqrt(area / (2 * std::numbers::sqrt3 * static_cast<double>(scale)));
+    const auto crowding = [reach](double squaredDistance) {
+        const double nearness = std::max(0.0, 1 - std::sqrt(squaredDistance) / reach);
+        return std::pow(nearness, 8);
+    };
+
+    std::vector<double> weights(members.size(), 0);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        for (const auto& [j, squared] : neighbours(tree, follicles.roots[members[i]], reach)) {
+            if (j != i) weights[i] += crowding(squared);
+        }
+    }
+
+    // Weights only fall, so an entry that is out of date is re-entered when it comes up.
+    using Entry = std::tuple<double, std::uint64_t, std::size_t>;
+    std::priority_queue<Entry> queue;
+    const auto enter = [&](std::size_t i) {
+        queue.emplace(weights[i], follicles.keys[members[i]], i);
+    };
+    for (std::size_t i = 0; i < members.size(); ++i) enter(i);
+
+    std::vector<bool> gone(members.size(), false);
+    for (std::size_t left = members.size(); left > target;) {
+        const auto [weight, key, i] = queue.top();
+        queue.pop();
+        if (weight != weights[i]) {
+            enter(i);
+            continue;
+        }
+        gone[i] = true;
+        --left;
+        for (const auto& [j, squared] : neighbours(tree, follicles.roots[members[i]], reach)) {
+            if (!gone[j]) weights[j] -= crowding(squared);
+        }
+    }
+
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (!gone[i]) kept.push_back(members[i]);
+    }
+    return kept;
+}
+
+}  // namespace
+
+Follicles thin(const Follicles& follicles, std::size_t count) {
+    if (count >= follicles.size()) return follicles;
+    const double area = follicles.spacing * follicles.spacing * static_cast<double>(follicles.size());
+
+    std::vector<std::size_t> members(follicles.size());
+    for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
+    while (members.size() > count) {
+        const std::size_t half = std::max<std::size_t>(1, members.size() / 2);
+        members = eliminate(follicles, members, area, half, std::max(count, half));
+        if (members.size() == 1) break;
+    }
+    if (count == 0) members.clear();
+
+    Follicles kept;
+    kept.spacing = count > 0 ? std::sqrt(area / static_cast<double>(count)) : 0;
+    for (const std::size_t i : members) {
+        kept.roots.push_back(follicles.roots[i]);
+        kept.angles.push_back(follicles.angles[i]);
+        kept.keys.push_back(follicles.keys[i]);
+    }
+    return kept;
+}
+
+}  // namespace kushi

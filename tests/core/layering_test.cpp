@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Data flows one way: a file may include from its own layer and from those before it.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> layers = {"core",    "geometry", "head",     "groom",   "io",    "style",
+                                         "scalp",   "contact",  "rod",      "pipeline", "shading", "render"};
+
+// Which layer implements each public header; kushi.h includes all of them.
+const std::map<std::string, std::string> headerLayers = {
+    {"result.h", "core"},     {"color.h", "core"},        {"vec.h", "geometry"},
+    {"ellipsoid.h", "geometry"}, {"mesh.h", "geometry"},  {"head.h", "head"},
+    {"strands.h", "groom"},   {"groom_io.h", "io"},       {"image.h", "io"},
+    {"style.h", "style"},     {"follicles.h", "scalp"},   {"cantilever.h", "rod"},
+    {"settle.h", "pipeline"}, {"shade.h", "shading"},     {"camera.h", "render"},
+    {"draw.h", "render"}};
+
+// Image is a plain value that io writes and render fills.
+bool isPlainValue(const std::string& header) { return header == "image.h" || header == "color.h"; }
+
+std::ptrdiff_t rank(const std::string& layer) {
+    return std::find(layers.begin(), layers.end(), layer) - layers.begin();
+}
+
+std::vector<std::string> includesOf(const fs::path& file, const std::string& pattern) {
+    std::ifstream in(file);
+    std::vector<std::string> found;
+    const std::regex regex(pattern);
+    for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, regex)) found.push_back(match[1]);
+    }
+    return found;
+}
+
+void expectNothingAbove(const fs::path& file, const std::string& layer) {
+    for (const std::string& folder : includesOf(file, "^#include \"([a-z_]+)/")) {
+        EXPECT_LE(rank(folder), rank(layer)) << file << " includes from the higher layer " << folder;
+    }
+    for (const std::string& header : includesOf(file, "^#include <kushi/([a-z_]+\\.h)>")) {
+        if (isPlainValue(header)) continue;
+        const auto owner = headerLayers.find(header);
+        ASSERT_NE(owner, headerLayers.end()) << file << " includes the unlisted header " << header;
+        EXPECT_LE(rank(owner->second), rank(layer)) << file << " includes the higher " << header;
+    }
+}
+
+TEST(Layering, NoSourceIncludesFromALayerAboveItsOwn) {
+    const fs::path root = fs::path(KUSHI_SOURCE_DIR) / "src";
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+        const std::string layer = fs::relative(entry.path(), root).begin()->string();
+        ASSERT_LT(rank(layer), std::ssize(layers)) << "src/" << layer << " is not in the list";
+        expectNothingAbove(entry.path(), layer);
+        ++files;
+    }
+    EXPECT_GT(files, 20);
+}
+
+TEST(Layering, NoPublicHeaderIncludesFromALayerAboveItsOwn) {
+    for (const auto& entry : fs::directory_iterator(fs::path(KUSHI_SOURCE_DIR) / "include/kushi")) {
+        const std::string name = entry.path().filename().string();
+        if (name == "kushi.h") continue;
+        const auto owner = headerLayers.find(name);
+        ASSERT_NE(owner, headerLayers.end()) << name << " is not in the list";
+        expectNothingAbove(entry.path(), owner->second);
+        EXPECT_TRUE(includesOf(entry.path(), "^#include \"([a-z_]+)/").empty())
+            << name << " includes an internal header";
+    }
+}
+
+// The library neither prints nor exits.
+TEST(Layering, TheLibraryDoesNotPrintOrExit) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(KUSHI_SOURCE_DIR) / "src")) {
+        if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+        EXPECT_TRUE(includesOf(entry.path(), R"((std::cout|std::cerr|\bprintf\(|std::exit|\babort\())")
+                        .empty())
+            << entry.path();
+    }
+}
+
+}  // namespace

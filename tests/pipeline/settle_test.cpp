@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <kushi/settle.h>
+
+namespace kushi {
+namespace {
+
+// A small head of hair: one part, gravity alone.
+Style plain(int count) {
+    Style style;
+    Part part;
+    part.name = "hair";
+    part.scalp.ellipsoid = {{}, {0.105, 0.125, 0.085}, radians(20)};
+    part.scalp.count = count;
+    part.scalp.regions = {{{0, radians(100)}, {}}};
+    part.hair.length = 0.25;
+    style.parts = {part};
+    return style;
+}
+
+SettledGroom settled(const Style& style, const SettleOptions& options = {}) {
+    Result<SettledGroom> groom = settle(style, options);
+    EXPECT_TRUE(groom.ok());
+    return std::move(*groom);
+}
+
+bool sameBytes(const Strands& a, const Strands& b) {
+    return a.nodes == b.nodes && a.offsets == b.offsets && a.keys == b.keys && a.diameters == b.diameters;
+}
+
+TEST(Settle, GivesTheSameBytesFromAnyNumberOfThreads) {
+    Style style = plain(2000);
+    style.parts[0].hair.lengthVariation = 0.1;
+    Force force;
+    force.direction.radial = true;
+    force.magnitude = 0.3;
+    style.parts[0].forces = {force};
+    Cut cut;
+    cut.below = -0.05;
+    style.parts[0].cuts = {cut};
+    SettleOptions options;
+    options.threads = 1;
+    const SettledGroom one = settled(style, options);
+    for (const int threads : {2, 8}) {
+        options.threads = threads;
+        const SettledGroom many = settled(style, options);
+        EXPECT_TRUE(sameBytes(one.strands, many.strands));
+        EXPECT_EQ(one.innerEnds, many.innerEnds);
+    }
+}
+
+TEST(Settle, KeepsEveryStrandsLength) {
+    Style style = plain(500);
+    style.parts[0].hair.lengthVariation = 0.1;
+    const SettledGroom groom = settled(style);
+    double shortest = 1;
+    double longest = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const double l = polylineLength(groom.strands.strand(i));
+        shortest = std::min(shortest, l);
+        longest = std::max(longest, l);
+    }
+    EXPECT_GE(shortest, 0.25 * 0.9 * (1 - 1e-6));
+    EXPECT_LT(shortest, 0.25 * 0.91);
+    EXPECT_LE(longest, 0.25 * 1.1 * (1 + 1e-6));
+    EXPECT_GT(longest, 0.25 * 1.09);
+
+    style.parts[0].hair.lengthVariation = 0;
+    const SettledGroom even = settled(style);
+    for (std::size_t i = 0; i < even.strands.size(); ++i) {
+        ASSERT_NEAR(polylineLength(even.strands.strand(i)) / 0.25, 1, 1e-6);
+    }
+}
+
+TEST(Settle, APreviewShowsTheSameHairs) {
+    const SettledGroom all = settled(plain(3000));
+    SettleOptions options;
+    options.count = 300;
+    const SettledGroom few = settled(plain(3000), options);
+    ASSERT_EQ(few.strands.size(), 300U);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < few.strands.size(); ++i) {
+        while (all.strands.keys[at] != few.strands.keys[i]) ++at;
+        ASSERT_TRUE(std::ranges::equal(all.strands.strand(at), few.strands.strand(i)));
+    }
+}
+
+TEST(Settle, ACountAboveTheStylesPlantsAnew) {
+    SettleOptions options;
+    options.count = 1500;
+    EXPECT_NEAR(static_cast<double>(settled(plain(1000), options).strands.size()), 1500, 0.005 * 1500);
+}
+
+TEST(Settle, PartsShareACountByWhatTheyHave) {
+    Style style = plain(300);
+    style.parts.push_back(style.parts[0]);
+    style.parts[1].name = "tail";
+    style.parts[1].scalp.count = 100;
+    style.parts[1].hair.length = 0.1;
+    SettleOptions options;
+    options.count = 80;
+    const SettledGroom groom = settled(style, options);
+    ASSERT_EQ(groom.strands.size(), 80U);
+    std::size_t shortOnes = 0;
+    for (std::size_t i = 0; i < 80; ++i) shortOnes += polylineLength(groom.strands.strand(i)) < 0.2 ? 1 : 0;
+    EXPECT_EQ(shortOnes, 20U);
+}
+
+// Hide keeps the shape and only ends it; at the height exactly, but for strands that never reach it.
+TEST(Settle, AHideCutShowsLessOfTheSameShape) {
+    Style style = plain(800);
+    const SettledGroom whole = settled(style);
+    Cut cut;
+    cut.mode = CutMode::Hide;
+    cut.below = 0.02;
+    style.parts[0].cuts = {cut};
+    const SettledGroom hidden = settled(style);
+
+    std::size_t clippedOnes = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < hidden.strands.size(); ++i) {
+        while (whole.strands.keys[at] != hidden.strands.keys[i]) ++at;
+        const auto before = whole.strands.strand(at);
+        const auto after = hidden.strands.strand(i);
+        for (std::size_t k = 0; k + 1 < after.size(); ++k) ASSERT_EQ(after[k], before[k]);
+        for (const Vec3f node : after) ASSERT_GE(node.y, 0.02F - 1e-8F);
+        if (after.size() == before.size() && after.back() == before.back()) continue;
+        ASSERT_NEAR(after.back().y, 0.02, 1e-8);
+        ++clippedOnes;
+    }
+    EXPECT_GT(clippedOnes, 300U);
+    for (std::size_t i = 0; i < whole.strands.size(); ++i) {
+        const bool leftOut = std::find(hidden.strands.keys.begin(), hidden.strands.keys.end(),
+                                       whole.strands.keys[i]) == hidden.strands.keys.end();
+        EXPECT_EQ(leftOut, whole.strands.strand(i)[0].y < 0.02F);
+    }
+}
+
+TEST(Settle, ASettleCutBendsTheShorterHairAnew) {
+    Style style = plain(400);
+    const SettledGroom whole = settled(style);
+    Cut cut;
+    cut.keep = {{0, 0.1}};
+    style.parts[0].cuts = {cut};
+    const SettledGroom cutHair = settled(style);
+
+    // The same as hair that grew to 10 cm: ceil(0.1 / (0.25 / 24)) = 10 segments.
+    Style grown = plain(400);
+    grown.parts[0].hair.length = 0.1;
+    grown.solver.segments = 10;
+    const SettledGroom shortHair = settled(grown);
+    ASSERT_EQ(cutHair.strands.nodes.size(), shortHair.strands.nodes.size());
+    for (std::size_t i = 0; i < shortHair.strands.nodes.size(); ++i) {
+        ASSERT_LT(length(cutHair.strands.nodes[i] - shortHair.strands.nodes[i]), 1e-6F);
+    }
+    // Less weight bends it less.
+    EXPECT_NE(cutHair.strands.nodes[5], whole.strands.nodes[5]);
+}
+
+TEST(Settle, CutsApplyInTheOrderWritten) {
+    Style style = plain(200);
+    Cut hide;
+    hide.mode = CutMode::Hide;
+    hide.keep = {{0, 0.05}};
+    Cut shorten;
+    shorten.keep = {{0, 0.1}};
+    // Hidden to 5 cm, it no longer reaches the second cut.
+    style.parts[0].cuts = {hide, shorten};
+    const SettledGroom hiddenFirst = settled(style);
+    style.parts[0].cuts = {hide};
+    EXPECT_TRUE(sameBytes(hiddenFirst.strands, settled(style).strands));
+    // Cut to 10 cm and bent anew, then hidden to 5.
+    style.parts[0].cuts = {shorten, hide};
+    EXPECT_FALSE(sameBytes(hiddenFirst.strands, settled(style).strands));
+}
+
+TEST(Settle, ReportsCountsTimesAndPenetration) {
+    SettleOptions options;
+    options.measurePenetration = true;
+    double last = 0;
+    options.threads = 1;
+    options.progress = [&](double share) {
+        EXPECT_GT(share, last);
+        last = share;
+    };
+    const SettledGroom groom = settled(plain(1000), options);
+    EXPECT_EQ(last, 1);
+    EXPECT_EQ(groom.report.strands, groom.strands.size());
+    EXPECT_EQ(groom.report.segments, groom.strands.segmentCount());
+    ASSERT_EQ(groom.report.stages.size(), 2U);
+    ASSERT_TRUE(groom.report.maxPenetration);
+    // Nodes are outside; a chord of a segment d dips at most about d^2 / (8 r) below them.
+    EXPECT_GT(*groom.report.maxPenetration, 0);
+    EXPECT_LT(*groom.report.maxPenetration, 0.002);
+}
+
+TEST(Settle, InnerPiecesAreDrawnAndNotExported) {
+    const SettledGroom groom = settled(plain(50));
+    const Strands drawn = withInnerPieces(groom);
+    ASSERT_EQ(drawn.size(), groom.strands.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        ASSERT_EQ(drawn.strand(i).size(), groom.strands.strand(i).size() + 1);
+        EXPECT_NEAR(length(drawn.strand(i)[0] - drawn.strand(i)[1]), 0.02, 1e-6);
+        EXPECT_LT(length(drawn.strand(i)[0]), length(drawn.strand(i)[1]));
+    }
+}
+
+}  // namespace
+}  // namespace kushi

@@ -11,6 +11,7 @@
 #include <kushi/style.h>
 #include <kushi/follicles.h>
 #include <kushi/cantilever.h>
+#include <kushi/planar_rod.h>
 #include <kushi/settle.h>
 #include <kushi/shade.h>
 #include <kushi/camera.h>

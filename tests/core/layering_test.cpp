@@ -23,7 +23,7 @@ const std::map<std::string, std::string> headerLayers = {
     {"result.h", "core"},     {"color.h", "core"},        {"vec.h", "geometry"},
     {"ellipsoid.h", "geometry"}, {"mesh.h", "geometry"},  {"head.h", "head"},
     {"strands.h", "groom"},   {"groom_io.h", "io"},       {"image.h", "io"},
-    {"style.h", "style"},     {"follicles.h", "scalp"},   {"cantilever.h", "rod"},
+    {"style.h", "style"},     {"follicles.h", "scalp"},   {"cantilever.h", "rod"}, {"planar_rod.h", "rod"},
     {"settle.h", "pipeline"}, {"shade.h", "shading"},     {"camera.h", "render"},
     {"draw.h", "render"}};
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "io/atomic_file.h"
+#include "progress.h"
+
+#include <kushi/groom_io.h>
+
+namespace kushi {
+
+namespace {
+
+std::string lowerExtension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+Result<bool> isStylePath(const std::string& path) {
+    if (lowerExtension(path) == ".toml") return true;
+    if (isGroomPath(path)) return false;
+    return Problem{"not a kind of file that Kushi reads; styles end in .toml, grooms in .hair, .ply or .obj",
+                   path};
+}
+
+Result<SettledGroom> settleWithProgress(const Style& style, const std::string& path,
+                                        const SettleFlags& flags, bool measurePenetration) {
+    ProgressBar bar("settling");
+    SettleOptions options;
+    options.segments = flags.segments;
+    options.count = flags.count;
+    options.threads = flags.threads;
+    options.measurePenetration = measurePenetration;
+    options.progress = [&bar](double share) { bar.show(share); };
+    Result<SettledGroom> groom = settle(style, options);
+    if (groom) return groom;
+    std::vector<Problem> problems = groom.problems();
+    for (Problem& problem : problems) problem.file = path;
+    return problems;
+}
+
+Status hasEnding(const std::string& path, const std::vector<std::string>& endings, const char* what) {
+    const std::string extension = lowerExtension(path);
+    if (std::find(endings.begin(), endings.end(), extension) != endings.end()) return std::monostate{};
+    std::string list;
+    for (const std::string& ending : endings) {
+        list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + ending;
+    }
+    return Problem{std::string(what) + " must end in " + list, path};
+}
+
+Status writeReport(const std::string& path, const std::string& json) {
+    return path.empty() ? Status(std::monostate{}) : writeFileAtomically(path, json);
+}
+
+}  // namespace kushi

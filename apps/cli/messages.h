@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <kushi/result.h>
+
+namespace kushi {
+
+/// Prints each problem as a line on standard error; returns the exit status that they ask for.
+int report(const std::vector<Problem>& problems);
+
+/// 50000 as "50,000".
+std::string grouped(std::size_t number);
+
+}  // namespace kushi

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report.h"
+
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace kushi {
+
+void StageClock::end(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> passed = now - last_;
+    last_ = now;
+    stages_.push_back({stage, passed.count()});
+}
+
+void StageClock::add(const std::vector<StageTime>& stages) {
+    last_ = std::chrono::steady_clock::now();
+    stages_.insert(stages_.end(), stages.begin(), stages.end());
+}
+
+double StageClock::total() const {
+    double sum = 0;
+    for (const StageTime& stage : stages_) sum += stage.milliseconds;
+    return sum;
+}
+
+std::string reportJson(const SettleReport& report, const StageClock& clock) {
+    nlohmann::ordered_json json;
+    json["strands"] = report.strands;
+    json["segments"] = report.segments;
+    for (const StageTime& stage : clock.stages()) json["wall_ms"][stage.stage] = stage.milliseconds;
+    json["wall_ms"]["total"] = clock.total();
+    json["max_penetration_cm"] = nullptr;
+    if (report.maxPenetration) json["max_penetration_cm"] = 100 * *report.maxPenetration;
+    // The cantilever is one walk: it does not solve for rest, so it has no residual to converge.
+    json["max_residual"] = nullptr;
+    json["unsettled"] = 0;
+    return json.dump(2) + '\n';
+}
+
+std::string timesLine(const StageClock& clock) {
+    std::string line;
+    for (const StageTime& stage : clock.stages()) {
+        char text[64];
+        std::snprintf(text, sizeof text, "%s%s %.0f ms", line.empty() ? "" : ", ", stage.stage.c_str(),
+                      stage.milliseconds);
+        line += text;
+    }
+    return line;
+}
+
+}  // namespace kushi

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <kushi/settle.h>
+
+namespace kushi {
+
+/// How long each stage of a command took.
+class StageClock {
+   public:
+    /// Ends the stage that began where the last one ended.
+    void end(const std::string& stage);
+    /// Adds stages timed elsewhere, which took the time since the last one ended.
+    void add(const std::vector<StageTime>& stages);
+    const std::vector<StageTime>& stages() const { return stages_; }
+    /// Milliseconds in all.
+    double total() const;
+
+   private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    std::vector<StageTime> stages_;
+};
+
+/// The text of --report, JSON.
+std::string reportJson(const SettleReport& report, const StageClock& clock);
+
+/// "settled 50,000 strands in 0.42 s (read 1 ms, ...)".
+std::string timesLine(const StageClock& clock);
+
+}  // namespace kushi

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace kushi::test {
+
+/// What a run of the program left.
+struct Outcome {
+    int status = -1;  ///< exit status; 128 + signal if it was killed
+    std::string out, err;
+};
+
+/// Runs `kushi ARGUMENTS` through the shell.
+Outcome runKushi(const std::string& arguments);
+
+/// A folder of this test's own, empty at first.
+std::string freshFolder();
+
+void writeText(const std::string& path, const std::string& text);
+std::string readBytes(const std::string& path);
+
+/// A small valid style.
+std::string smallStyle();
+
+}  // namespace kushi::test

@@ -7,6 +7,7 @@
 #include <kushi/color.h>
 #include <kushi/ellipsoid.h>
 #include <kushi/mesh.h>
+#include <kushi/head.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
 #include <kushi/follicles.h>

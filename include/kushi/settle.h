@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <kushi/mesh.h>
 #include <kushi/result.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
@@ -53,6 +54,9 @@ struct SettledGroom {
 /// anew. Parts share it in proportion to what they have. Where hide cuts leave nothing of a strand
 /// (its follicle lies below the height), it is left out.
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
+
+/// The head that the style asks for, to draw below its hair; no triangles for "none".
+Mesh headOf(const Style& style);
 
 /// The strands with their inner pieces, for drawing.
 Strands withInnerPieces(const SettledGroom& groom);

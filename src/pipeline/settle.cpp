@@ -11,6 +11,7 @@
 #include "pipeline/strand.h"
 
 #include <kushi/follicles.h>
+#include <kushi/head.h>
 #include <kushi/settle.h>
 
 namespace kushi {
@@ -169,6 +170,11 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     groom.report.stages = {{"plant", plantTime}, {"settle", stopwatch.lap()}};
     if (options.measurePenetration) groom.report.maxPenetration = deepest;
     return groom;
+}
+
+Mesh headOf(const Style& style) {
+    if (style.headMesh == "none") return {};
+    return mannequin();
 }
 
 Strands withInnerPieces(const SettledGroom& groom) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include <kushi/result.h>
 #include <kushi/strands.h>
 #include <kushi/vec.h>
+
+#include <string>
 
 namespace kushi {
 

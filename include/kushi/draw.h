@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-
 #include <kushi/camera.h>
 #include <kushi/image.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace kushi {
 

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include <kushi/result.h>
 #include <kushi/strands.h>
 
+#include <string>
+
 namespace kushi {
 
-/// Whether the extension of `path` is one that readGroom and writeGroom know: .hair, .ply, .obj.
+/// Whether the extension of `path` is one that readGroom and writeGroom know: .hair, .ply or .obj,
+/// in capitals or not.
 bool isGroomPath(const std::string& path);
 
-/// Reads a groom; the format follows from the extension. Files are in centimetres, y up.
+/// Reads a groom; the format follows from the extension, in capitals or not. Files are in
+/// centimetres, y up. Keys are not stored in any format: what is read has none.
 ///
-/// A file that is truncated, contradicts itself or holds a coordinate that is not finite is a
-/// problem that says where and what was expected; nothing is guessed.
+/// A file that is truncated, contradicts itself or holds a number that is not finite is a problem
+/// that says where and what was expected; nothing is guessed. Counts are checked against the size
+/// of the file before memory is taken for them.
 Result<Strands> readGroom(const std::string& path);
 
 /// Writes a groom; the format follows from the extension. The file appears whole or not at all.
 ///
-/// .hair cannot hold a strand of one node or of more than 65,536, nor .obj attributes; see
-/// docs/formats.md for what each format keeps.
+/// .hair cannot hold a strand of one node or of more than 65,536, nor .obj a groom without strands:
+/// problems found before anything is written. What else a format cannot hold (.obj: attributes) is
+/// left out; docs/formats.md says what each keeps. An output that cannot be written is a problem
+/// with `system` set.
 Status writeGroom(const Strands& strands, const std::string& path);
 
 }  // namespace kushi

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/color.h>
+#include <kushi/result.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include <kushi/color.h>
-#include <kushi/result.h>
 
 namespace kushi {
 
@@ -22,7 +22,10 @@ struct Image {
     const Rgb& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
-/// Writes an 8-bit sRGB PNG; values are clamped to [0, 1]. The file appears whole or not at all.
+/// Writes an 8-bit sRGB PNG; values are clamped to [0, 1], what is not a number becomes 0. The file
+/// appears whole or not at all.
+///
+/// image  of 1 to 1,000,000 pixels each way, as many pixels as width x height; else a problem
 Status writePng(const Image& image, const std::string& path);
 
 }  // namespace kushi

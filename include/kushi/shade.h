@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include <kushi/color.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
+
+#include <span>
+#include <vector>
 
 namespace kushi {
 
@@ -28,13 +28,13 @@ Lights studioLights();
 /// How hair answers light in the paper's shading (ambient + diffuse + Blinn's specular on a
 /// cylinder; Anjyo, Usami & Kurihara 1992).
 struct HairLook {
-    Rgb color = {0.10F, 0.055F, 0.035F};  ///< of the hair itself: dark brown
-    Rgb specularColor = {1, 1, 1};
-    float ambient = 0.15F;  ///< ka
-    float diffuse = 0.5F;   ///< kd
-    float specular = 0.5F;  ///< ks
-    float shininess = 80;   ///< Blinn's exponent n, > 0; the highlight is as wide as Kajiya and
-                            ///< Kay's with the exponent n / 4
+    Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself: dark brown
+    Rgb specularColor = {1.0F, 0.85F, 0.70F};
+    float ambient = 0.4F;    ///< ka
+    float diffuse = 0.5F;    ///< kd
+    float specular = 0.45F;  ///< ks
+    float shininess = 160;   ///< Blinn's exponent n, > 0; the highlight is as wide as Kajiya and
+                             ///< Kay's with the exponent n / 4
 };
 
 /// One linear colour per node, seen from `eye` [m]:

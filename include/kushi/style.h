@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/ellipsoid.h>
+#include <kushi/result.h>
+
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -9,9 +12,6 @@
 #include <string_view>
 #include <variant>
 #include <vector>
-
-#include <kushi/ellipsoid.h>
-#include <kushi/result.h>
 
 namespace kushi {
 
@@ -24,7 +24,7 @@ struct Range {
     double high = std::numeric_limits<double>::infinity();
 };
 
-/// Which follicles, by the angles of the part's ellipsoid [rad].
+/// Which follicles, by the angles of the part's ellipsoid [rad]; all by default.
 struct RootRange {
     Range theta;  ///< within [0, pi]
     Range phi;    ///< within [-2 pi, 2 pi], spanning at most a turn; may run past pi
@@ -52,13 +52,13 @@ enum class Growth {
 
 /// What a strand is made of.
 struct Hair {
-    double length = 0;                    ///< m
-    double lengthVariation = 0;           ///< each strand's length varies by up to +- this share
-    double youngsModulus = 3.9e9;         ///< Pa
-    double diameter = 75e-6;              ///< m
-    double density = 1320;                ///< kg/m3
+    double length = 0;                       ///< m
+    double lengthVariation = 0;              ///< each strand's length varies by up to +- this share
+    double youngsModulus = 3.9e9;            ///< Pa
+    double diameter = 75e-6;                 ///< m
+    double density = 1320;                   ///< kg/m3
     std::optional<double> flexuralRigidity;  ///< N m2; replaces the value from modulus and diameter
-    double stiffness = 1;                 ///< times the rigidity
+    double stiffness = 1;                    ///< times the rigidity
     Growth growth = Growth::Normal;
 
     /// EI of the round section, or what replaces it, times stiffness [N m2].
@@ -78,7 +78,7 @@ struct ForceDirection {
 
 /// Softened edges of a force; hard where 0.
 struct Falloff {
-    double angle = 0;   ///< width of the ramp across each edge of the root range [rad]
+    double angle = 0;     ///< width of the ramp across each edge of the root range [rad]
     double distance = 0;  ///< width of the ramp across each face of the box [m]
 };
 
@@ -87,7 +87,7 @@ struct Force {
     RootRange roots;
     Box within;
     ForceDirection direction;
-    double magnitude = 0;  ///< times the hair's own weight; negative reverses
+    double magnitude = 1;  ///< times the hair's own weight; negative reverses
     Falloff falloff;
 };
 
@@ -111,7 +111,7 @@ struct Cut {
 
 /// A separately defined body of hair.
 struct Part {
-    std::string name;  ///< unique in the style
+    std::string name;  ///< unique in the style, not empty
     Scalp scalp;
     Hair hair;
     std::vector<Force> forces;
@@ -130,7 +130,7 @@ struct Solver {
 struct Style {
     std::string name;
     std::uint64_t seed = 1;
-    Vec3d gravity = {0, -1, 0};      ///< times the earth's
+    Vec3d gravity = {0, -1, 0};          ///< times the earth's
     std::string headMesh = "mannequin";  ///< or "none"
     Solver solver;
     std::vector<Part> parts;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/style.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <kushi/style.h>
 
 namespace kushi {
 
@@ -46,6 +46,8 @@ inline double share(const RootRange& roots, EllipsoidAngles at, double width = 0
 }
 
 /// Whether a root range, whose ends belong to it, holds a follicle.
-inline bool contains(const RootRange& roots, EllipsoidAngles at) { return share(roots, at) > 0; }
+inline bool contains(const RootRange& roots, EllipsoidAngles at) {
+    return share(roots, at) > 0;
+}
 
 }  // namespace kushi

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/atomic_file.h"
+#include "io/hair_file.h"
+#include "io/obj_file.h"
+#include "io/ply_file.h"
+#include "io/text.h"
+
+#include <kushi/groom_io.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <new>
+#include <string_view>
+
+namespace kushi {
+namespace {
+
+struct Format {
+    std::string_view extension;
+    Result<Strands> (*parse)(std::string_view bytes, const std::string& file);
+    Result<std::string> (*format)(const Strands& strands, const std::string& file);
+};
+
+constexpr std::array<Format, 3> formats = {{
+    {".hair", parseHair, formatHair},
+    {".ply", parsePly, formatPly},
+    {".obj", parseObj, formatObj},
+}};
+
+std::string extensionOf(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return extension;
+}
+
+const Format* formatOf(const std::string& path) {
+    const auto* const found = std::ranges::find(formats, extensionOf(path), &Format::extension);
+    return found == formats.end() ? nullptr : found;
+}
+
+Problem unknownFormat(const std::string& path) {
+    const std::string extension = extensionOf(path);
+    return badFile(
+        path, (extension.empty() ? "no extension" : "unknown extension " + inQuotes(extension)) +
+                  "; strand files are .hair, .ply or .obj");
+}
+
+Problem outOfMemory(const std::string& path) {
+    return {.message = "not enough memory for this groom", .file = path, .system = true};
+}
+
+}  // namespace
+
+bool isGroomPath(const std::string& path) {
+    return formatOf(path) != nullptr;
+}
+
+Result<Strands> readGroom(const std::string& path) try {
+    const Format* format = formatOf(path);
+    if (format == nullptr) return unknownFormat(path);
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.problems();
+    if (bytes->empty()) return badFile(path, "the file is empty");
+    return format->parse(*bytes, path);
+} catch (const std::bad_alloc&) {
+    return outOfMemory(path);
+}
+
+Status writeGroom(const Strands& strands, const std::string& path) try {
+    const Format* format = formatOf(path);
+    if (format == nullptr) return unknownFormat(path);
+    const Result<std::string> bytes = format->format(strands, path);
+    if (!bytes) return bytes.problems();
+    return writeFileAtomically(path, *bytes);
+} catch (const std::bad_alloc&) {
+    return outOfMemory(path);
+}
+
+}  // namespace kushi

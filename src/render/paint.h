@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/scene.h"
+#include "render/tile.h"
+
+#include <kushi/color.h>
+#include <kushi/image.h>
+
+#include <span>
+#include <vector>
+
+namespace kushi {
+
+/// Four floats that the compiler may keep in one register.
+using Float4 = float __attribute__((vector_size(16)));
+
+/// The colour of one thing over a tile. Colour divided by distance is linear over the picture, and
+/// so is 1 / distance; their ratio is the colour, true to perspective.
+struct Paint {
+    Float4 start{};         ///< r q, g q, b q, q at the centre of the tile's first sample
+    Float4 perX{}, perY{};  ///< per sample
+
+    /// At the centre of the sample (x, y) of the tile.
+    Float4 at(float x, float y) const {
+        const Float4 value = start + x * perX + y * perY;
+        return value / value[3];
+    }
+};
+
+Paint paintOf(Rgb color);
+/// b may be a's place: then their mean.
+Paint paintOf(const ScreenSegment& segment, Rgb first, Rgb last, const SampleTile& tile);
+/// colors  of the triangle's corners
+Paint paintOf(const ScreenPolygon& polygon, const std::array<Rgb, 3>& colors,
+              const SampleTile& tile);
+
+/// Averages each pixel's samples into the image; pixels that show nothing (id 0) stay as they are.
+///
+/// paints  by the ids in the tile
+void resolve(const SampleTile& tile, std::span<const Paint> paints, int supersample, Image& image);
+
+}  // namespace kushi

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/camera.h>
+#include <kushi/vec.h>
+
+#include <cstdint>
+
+namespace kushi {
+
+/// A point on the picture's grid of samples; sample (i, j) has its centre at (i + 0.5, j + 0.5).
+struct ScreenPoint {
+    double x = 0, y = 0;  ///< samples from the left and from the top
+    double q = 0;         ///< 1 / distance along the view [1/m]; linear over the picture
+};
+
+/// Whether `point` is finite and near enough to the picture for the arithmetic of lines.
+bool canBeDrawn(ScreenPoint point);
+
+/// The same as kept for every node and vertex.
+struct StoredPoint {
+    float x = 0, y = 0;
+    float q = 0;  ///< 0: before the near plane, x and y mean nothing; < 0: cannot be drawn
+
+    bool inFront() const { return q > 0; }
+    bool drawable() const { return q >= 0; }
+    operator ScreenPoint() const { return {x, y, q}; }
+};
+
+/// From the world to the grid of samples.
+class Projection {
+public:
+    /// width, height  samples
+    Projection(const Camera& camera, int width, int height);
+
+    /// Whether the camera looks anywhere.
+    bool valid() const { return valid_; }
+    double nearPlane() const { return near_; }
+
+    /// Right, down and forward from the eye [m].
+    Vec3d toView(Vec3f world) const;
+    /// Of a point with view.z >= nearPlane().
+    ScreenPoint toScreen(Vec3d view) const;
+    StoredPoint store(Vec3f world) const;
+
+    /// Depth from 0 at the near plane to fullDepth at infinity, for integer arithmetic. Linear over
+    /// the picture; at the target one unit of the 30 bits that count is about a millionth of its
+    /// distance.
+    double depth(double q) const { return (1 - q * near_) * fullDepth; }
+    static constexpr double fullDepth = 0x1p62;
+
+private:
+    Vec3d eye_, right_, down_, forward_;
+    double focal_ = 0;  // samples
+    double centerX_ = 0, centerY_ = 0;
+    double near_ = 0;
+    bool valid_ = false;
+};
+
+}  // namespace kushi

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/projection.h"
+
+#include <kushi/mesh.h>
+#include <kushi/strands.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace kushi {
+
+/// A segment on the picture. Where it crosses the near plane only a part of it is left.
+struct ScreenSegment {
+    ScreenPoint a, b;
+    double from = 0, to = 1;  ///< where a and b lie along the segment in space
+};
+
+/// A convex polygon on the picture: what the near plane leaves of a triangle.
+struct ScreenPolygon {
+    struct Corner {
+        ScreenPoint at;
+        std::array<double, 3> weights;  ///< of the triangle's corners
+    };
+    std::array<Corner, 4> corners;
+    int size = 0;  ///< 0, 3 or 4
+};
+
+/// Strands and mesh as a camera sees them. Refers to both.
+class Scene {
+public:
+    Scene(const Strands& strands, const Mesh& mesh, const Projection& projection, int threads);
+
+    const Strands& strands() const { return strands_; }
+    const Mesh& mesh() const { return mesh_; }
+    const Projection& projection() const { return projection_; }
+
+    /// The segment that begins at a node, if any of it can be drawn.
+    std::optional<ScreenSegment> segment(std::uint32_t firstNode) const {
+        const StoredPoint a = nodes_[firstNode];
+        const StoredPoint b = nodes_[firstNode + 1];
+        if (a.inFront() && b.inFront()) return ScreenSegment{a, b};
+        return clippedSegment(firstNode);
+    }
+    ScreenPolygon triangle(std::uint32_t index) const;
+
+    /// Asks the memory for a segment that will be wanted soon.
+    void prefetch(std::uint32_t firstNode) const { __builtin_prefetch(&nodes_[firstNode]); }
+
+private:
+    std::optional<ScreenSegment> clippedSegment(std::uint32_t firstNode) const;
+    ScreenPolygon clippedTriangle(std::uint32_t index) const;
+
+    const Strands& strands_;
+    const Mesh& mesh_;
+    Projection projection_;
+    std::vector<StoredPoint> nodes_, vertices_;
+};
+
+}  // namespace kushi

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The anisotropic shading of Anjyo, Usami & Kurihara 1992, which Usami & Anjyo 1992 use: Blinn's
+// specular model on a cylinder too thin to be seen.
+#include "core/parallel.h"
+#include "shading/tangents.h"
+
+#include <kushi/shade.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kushi {
+
+namespace {
+
+/// sin of the angle between two unit vectors.
+float sine(Vec3f a, Vec3f b) {
+    const float cosine = dot(a, b);
+    return std::sqrt(std::max(0.0F, 1 - cosine * cosine));
+}
+
+/// S = (1 - (t.H)^2)^(n/2): of all normals of a cylinder along t, the one nearest to H has
+/// N.H = sin(t, H).
+float highlight(Vec3f tangent, Vec3f toLight, Vec3f toEye, float shininess) {
+    const Vec3f sum = toLight + toEye;
+    const float size = length(sum);
+    if (size < 1e-4F) return 0;
+    return std::pow(sine(tangent, sum / size), shininess);
+}
+
+Rgb shadeNode(Vec3f tangent, Vec3f toEye, Rgb color, const Lights& lights, const HairLook& look) {
+    Rgb sum = look.ambient * (lights.ambient * color);
+    for (const Light& light : lights.distant) {
+        const float diffuse = look.diffuse * sine(tangent, light.direction);
+        const float specular =
+            look.specular * highlight(tangent, light.direction, toEye, look.shininess);
+        sum += light.color * (diffuse * color + specular * look.specularColor);
+    }
+    return sum;
+}
+
+}  // namespace
+
+void shade(const Strands& strands, const Lights& lights, const HairLook& look, Vec3f eye,
+           std::span<Rgb> colors, int threads) {
+    parallelFor(strands.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t first = strands.offsets[i];
+            forEachTangent(strands.strand(i), [&](std::size_t j, Vec3f tangent) {
+                const std::size_t node = first + j;
+                const Vec3f toEye = directionBetween(strands.nodes[node], eye);
+                const Rgb color = strands.colors.empty() ? look.color : strands.colors[node];
+                colors[node] = shadeNode(tangent, toEye, color, lights, look);
+            });
+        }
+    });
+}
+
+}  // namespace kushi

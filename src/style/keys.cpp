@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "style/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kushi {
+
+namespace {
+
+// Keys of the format that this version does not read yet, in whatever table, and what to do now.
+// When one arrives it moves to the tables of keys.h.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> later = {{
+    {"curl", "hair is straight when unloaded, leave it out"},
+    {"wave", "hair is straight when unloaded, leave it out"},
+    {"clump", "leave it out"},
+    {"flyaway", "leave it out"},
+    {"color", "all hair has the same colour, leave it out"},
+    {"variation", "all hair has the same colour, leave it out"},
+    {"taper", "hair is equally thick from root to tip, leave it out"},
+    {"set", "leave it out"},
+    {"shear_modulus", "hair does not twist, leave it out"},
+    {"groom", "plant the hair with [part.scalp]"},
+    {"where", "give the range as theta and phi in degrees, as in theta = [0, 60]"},
+}};
+
+// Heights of the head: later versions take them as strings where this one takes cm, and as keys of
+// [head].
+constexpr std::array<std::string_view, 10> landmarks = {
+    "crown", "hairline", "brows", "eyes", "nose", "ears", "lips", "chin", "nape", "shoulders"};
+
+// Optimal string alignment distance (Damerau 1964): three rows of the usual table.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> beforeLast(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], beforeLast[j - 2] + 1);
+            }
+        }
+        std::swap(beforeLast, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string_view> laterKeyAdvice(std::string_view key) {
+    if (isLandmark(key)) return "give heights in cm where they are needed";
+    const auto* const found =
+        std::ranges::find(later, key, &std::pair<std::string_view, std::string_view>::first);
+    if (found == later.end()) return std::nullopt;
+    return found->second;
+}
+
+std::vector<std::string_view> laterKeys() {
+    std::vector<std::string_view> keys(later.size());
+    std::ranges::transform(later, keys.begin(), [](const auto& entry) { return entry.first; });
+    return keys;
+}
+
+bool isLandmark(std::string_view name) {
+    return std::ranges::find(landmarks, name) != landmarks.end();
+}
+
+std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates) {
+    std::string_view best;
+    std::size_t bestDistance = std::max<std::size_t>(1, std::min<std::size_t>(name.size(), 60) / 3);
+    for (const std::string_view candidate : candidates) {
+        // Also keeps endless names from costing anything.
+        if (name.size() > candidate.size() + bestDistance) continue;
+        const std::size_t distance = editDistance(name, candidate);
+        if (distance < bestDistance || (distance == bestDistance && best.empty())) {
+            best = candidate;
+            bestDistance = distance;
+        }
+    }
+    return best;
+}
+
+}  // namespace kushi

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kushi {
+
+/// A kind of table of the style file and the keys it may have.
+struct TableKeys {
+    std::string_view label;  ///< as problems name it
+    std::array<std::string_view, 11> slots;
+
+    constexpr std::span<const std::string_view> keys() const {
+        std::size_t size = 0;
+        while (size < slots.size() && !slots[size].empty())
+            ++size;
+        return std::span(slots).first(size);
+    }
+};
+
+namespace tables {
+
+inline constexpr TableKeys top = {"the style",
+                                  {"kushi", "name", "seed", "gravity", "head", "solver", "part",
+                                   "scalp", "hair", "force", "cut"}};
+inline constexpr TableKeys head = {"[head]", {"mesh"}};
+inline constexpr TableKeys solver = {"[solver]", {"method", "segments", "avoidance_steps"}};
+inline constexpr TableKeys part = {"[[part]]", {"name", "scalp", "hair", "force", "cut"}};
+inline constexpr TableKeys scalp = {"[part.scalp]",
+                                    {"ellipsoid", "spacing", "count", "jitter", "regions"}};
+inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
+inline constexpr TableKeys regions = {"regions", {"theta", "phi"}};
+inline constexpr TableKeys hair = {
+    "[part.hair]",
+    {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
+     "flexural_rigidity", "stiffness", "growth"}};
+inline constexpr TableKeys force = {"[[part.force]]",
+                                    {"roots", "within", "direction", "magnitude", "falloff"}};
+inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode"}};
+inline constexpr TableKeys roots = {"roots", {"theta", "phi"}};
+inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
+inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
+
+/// Every kind of table, for "it belongs in ..." and for the test of the manual.
+inline constexpr const TableKeys* all[] = {&top,       &head,    &solver, &part,  &scalp,
+                                           &ellipsoid, &regions, &hair,   &force, &cut,
+                                           &roots,     &within,  &falloff};
+
+}  // namespace tables
+
+/// What to do now instead of a key that only later versions know, in whatever table; nothing if
+/// they do not know it either.
+std::optional<std::string_view> laterKeyAdvice(std::string_view key);
+
+/// Names of all such keys.
+std::vector<std::string_view> laterKeys();
+
+/// Whether a string names a height of the head, which only later versions know.
+bool isLandmark(std::string_view name);
+
+/// The candidate most like `name`, if it is alike enough to be meant: at most one slip (a letter
+/// missing, added, wrong, or two swapped) for every three letters; empty otherwise.
+std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates);
+
+}  // namespace kushi

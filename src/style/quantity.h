@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/vec.h>
+
+#include <string_view>
+
+namespace kushi {
+
+/// A number of the style file: its closed range in its own unit, and what it is in SI.
+///
+/// docs/style-file.md lists these ranges for users.
+struct Quantity {
+    double low = 0, high = 0;
+    std::string_view unit;  ///< as problems name it; empty if none
+    double (*toSi)(double) = [](double value) { return value; };
+
+    /// A unit that people write by mistake: how much of `unit` one of it is.
+    struct Mistaken {
+        std::string_view unit;
+        double size = 0;
+    };
+    Mistaken mistaken[3] = {};
+};
+
+namespace quantities {
+
+// Division by a power of ten rounds once, so that 75 micrometres are the double nearest to 75e-6.
+inline double fromCentimetres(double value) {
+    return value / 100;
+}
+inline double fromMicrometres(double value) {
+    return value / 1e6;
+}
+inline double fromGigapascals(double value) {
+    return value * 1e9;
+}
+inline double fromGramsPerCubicCentimetre(double value) {
+    return value * 1e3;
+}
+
+inline constexpr Quantity gravity = {-100, 100, "times the earth's"};
+
+inline constexpr Quantity place = {-1000, 1000, "cm", fromCentimetres};
+inline constexpr Quantity semiAxis = {0.5, 100, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
+inline constexpr Quantity rotation = {-360, 360, "degrees", radians};
+inline constexpr Quantity spacing = {0.01, 10, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
+inline constexpr Quantity jitter = {0, 1, "spacings", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity theta = {0, 180, "degrees", radians};
+inline constexpr Quantity phi = {-360, 360, "degrees", radians};
+
+inline constexpr Quantity length = {0.1, 300, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
+inline constexpr Quantity lengthVariation = {0, 0.9, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity youngsModulus = {
+    0.01, 100, "GPa", fromGigapascals, {{"MPa", 1e-3}, {"Pa", 1e-9}}};
+inline constexpr Quantity diameter = {
+    10, 300, "micrometres", fromMicrometres, {{"mm", 1e3}, {"cm", 1e4}, {"m", 1e6}}};
+inline constexpr Quantity density = {
+    0.1, 10, "g/cm3", fromGramsPerCubicCentimetre, {{"kg/m3", 1e-3}}};
+inline constexpr Quantity flexuralRigidity = {1e-12, 1, "N m2"};
+inline constexpr Quantity stiffness = {0.001, 1000, ""};
+
+inline constexpr Quantity direction = {-1000, 1000, ""};
+inline constexpr Quantity magnitude = {-1000, 1000, "times the hair's own weight"};
+inline constexpr Quantity falloffAngle = {0, 180, "degrees", radians};
+inline constexpr Quantity falloffDistance = {0, 100, "cm", fromCentimetres};
+inline constexpr Quantity lengthLeft = {0, 300, "cm", fromCentimetres};
+
+}  // namespace quantities
+
+}  // namespace kushi

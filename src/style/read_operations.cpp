@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "style/read_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kushi {
+
+namespace {
+
+/// A direction by name; `sign` turns those that only differ by it.
+struct NamedDirection {
+    bool radial;
+    Vec3d vector;
+    double sign = 1;
+};
+
+void readNamedDirection(const TableReader& table, Force& force) {
+    const NamedDirection out = {true, {}};
+    const NamedDirection in = {true, {}, -1};
+    NamedDirection named = {};
+    table.choice<NamedDirection>("direction",
+                                 {{"x", {false, {1, 0, 0}}},
+                                  {"y", {false, {0, 1, 0}}},
+                                  {"z", {false, {0, 0, 1}}},
+                                  {"r", out},
+                                  {"front", {false, {1, 0, 0}}},
+                                  {"back", {false, {-1, 0, 0}}},
+                                  {"left", {false, {0, 0, -1}}},
+                                  {"right", {false, {0, 0, 1}}},
+                                  {"up", {false, {0, 1, 0}}},
+                                  {"down", {false, {0, -1, 0}}},
+                                  {"out", out},
+                                  {"in", in}},
+                                 named);
+    force.direction = {named.radial, named.vector};
+    force.magnitude *= named.sign;
+}
+
+void readVectorDirection(const TableReader& table, const Node& node, Force& force) {
+    const auto vector = readVector(node, "direction", quantities::direction, table.context());
+    if (!vector) return;
+    const double largest =
+        std::max({std::abs(vector->x), std::abs(vector->y), std::abs(vector->z)});
+    if (largest == 0) {
+        table.context().problems.add(node.begin,
+                                     "direction: found a zero vector, expected one that points "
+                                     "somewhere");
+        return;
+    }
+    // Scaled first, so that the squares of tiny components do not vanish.
+    force.direction.vector = normalized(*vector / largest);
+}
+
+void readDirection(const TableReader& table, Force& force) {
+    const std::string expected = "a name as in \"z\" or a vector as in [0, 1, 0]";
+    table.require("direction", expected);
+    const Node* node = table.find("direction");
+    if (node == nullptr) return;
+    if (node->kind == Kind::String) {
+        readNamedDirection(table, force);
+    } else if (node->kind == Kind::Array) {
+        readVectorDirection(table, *node, force);
+    } else {
+        table.context().problems.unexpected("direction", *node, expected);
+    }
+}
+
+Falloff readFalloff(const Node& node, ReadContext& context) {
+    const TableReader table(node, tables::falloff, context);
+    Falloff falloff;
+    table.number("degrees", quantities::falloffAngle, falloff.angle);
+    table.number("cm", quantities::falloffDistance, falloff.distance);
+    return falloff;
+}
+
+RootRange readRootsOf(const TableReader& table) {
+    const Node* roots = table.table("roots", tables::roots);
+    return roots != nullptr ? readRootRange(*roots, tables::roots, table.context()) : RootRange{};
+}
+
+// `last` is the height of the pair before, in m.
+std::optional<Cut::Keep> readPair(const Node& node, double last, ReadContext& context) {
+    if (node.kind != Kind::Array || node.items.size() != 2) {
+        context.problems.unexpected("keep", node,
+                                    "a pair of cm, [height of the root, length left]");
+        return std::nullopt;
+    }
+    const auto y = readNumber(node.items[0], "keep", quantities::place, context);
+    const auto length = readNumber(node.items[1], "keep", quantities::lengthLeft, context);
+    if (!y || !length) return std::nullopt;
+    if (*y <= last) {
+        context.problems.unexpected("keep", node.items[0], "heights in ascending order");
+    }
+    return Cut::Keep{*y, *length};
+}
+
+std::vector<Cut::Keep> readKeep(const Node& node, ReadContext& context) {
+    std::vector<Cut::Keep> keep;
+    if (node.kind != Kind::Array || node.items.empty()) {
+        context.problems.unexpected(
+            "keep", node, "pairs of a root's height and the length left, as in [[-4, 2], [8, 6]]");
+        return keep;
+    }
+    double last = -std::numeric_limits<double>::infinity();
+    for (const Node& item : node.items) {
+        const auto pair = readPair(item, last, context);
+        if (!pair) continue;
+        keep.push_back(*pair);
+        last = pair->y;
+    }
+    return keep;
+}
+
+void readExtent(const TableReader& table, Cut& cut) {
+    table.number("below", quantities::place, cut.below);
+    if (const Node* keep = table.find("keep")) cut.keep = readKeep(*keep, table.context());
+    table.requireOne("below", "keep", "below = 3.5");
+}
+
+}  // namespace
+
+Force readForce(const Node& node, ReadContext& context) {
+    const TableReader table(node, tables::force, context);
+    Force force;
+    force.roots = readRootsOf(table);
+    if (const Node* within = table.table("within", tables::within)) {
+        force.within = readBox(*within, context);
+    }
+    table.number("magnitude", quantities::magnitude, force.magnitude);
+    readDirection(table, force);
+    if (const Node* falloff = table.table("falloff", tables::falloff)) {
+        force.falloff = readFalloff(*falloff, context);
+    }
+    return force;
+}
+
+Cut readCut(const Node& node, ReadContext& context) {
+    const TableReader table(node, tables::cut, context);
+    Cut cut;
+    cut.roots = readRootsOf(table);
+    readExtent(table, cut);
+    table.choice<CutMode>("mode", {{"hide", CutMode::Hide}, {"settle", CutMode::Settle}}, cut.mode);
+    return cut;
+}
+
+}  // namespace kushi

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "style/table_reader.h"
+
+#include <kushi/style.h>
+
+#include <optional>
+
+namespace kushi {
+
+// One function per table of the style file. What is wrong is reported to the context, and leaves a
+// value that must not be used.
+
+Scalp readScalp(const Node& node, ReadContext& context);
+Hair readHair(const Node& node, ReadContext& context);
+Force readForce(const Node& node, ReadContext& context);
+Cut readCut(const Node& node, ReadContext& context);
+
+/// { theta = [low, high], phi = [low, high] }, either of which may be left out.
+RootRange readRootRange(const Node& node, const TableKeys& kind, ReadContext& context);
+/// { x = [low, high], y = ..., z = ... }, any of which may be left out.
+Box readBox(const Node& node, ReadContext& context);
+
+/// Whether the document keeps its only part's tables at the top: [hair] instead of [part.hair].
+bool keepsPartAtTop(const Node& root);
+
+}  // namespace kushi

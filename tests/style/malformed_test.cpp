@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <kushi/style.h>
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kushi {
+namespace {
+
+/// A style with '@' before each place that must be complained about, and what must be said there.
+struct Malformed {
+    std::string text;
+    std::vector<std::string> messages;
+};
+
+std::ostream& operator<<(std::ostream& out, const Malformed& malformed) {
+    return out << malformed.text;
+}
+
+struct Place {
+    int line = 1, column = 1;
+};
+
+std::vector<Place> takeMarks(std::string& text) {
+    std::vector<Place> places;
+    std::string rest;
+    Place place;
+    for (const char c : text) {
+        if (c == '@') {
+            places.push_back(place);
+            continue;
+        }
+        rest += c;
+        const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+        place.column += continues ? 0 : 1;
+        if (c == '\n') place = {place.line + 1, 1};
+    }
+    text = rest;
+    return places;
+}
+
+const std::string scalpTable = "[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\nspacing = 0.5\n";
+const std::string hairTable = "[hair]\nlength = 25\n";
+
+// Styles that are right but for some lines.
+std::string atTop(const std::string& lines) {
+    return "kushi = 1\n" + lines + "\n" + scalpTable + hairTable;
+}
+std::string withTables(const std::string& lines) {
+    return atTop("") + lines + "\n";
+}
+std::string inScalp(const std::string& lines) {
+    return "kushi = 1\n[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\n" + lines + "\n" +
+           hairTable;
+}
+std::string inHair(const std::string& lines) {
+    return atTop("") + lines + "\n";
+}
+std::string inForce(const std::string& lines) {
+    return withTables("[[force]]\ndirection = \"z\"\n" + lines);
+}
+std::string inCut(const std::string& lines) {
+    return withTables("[[cut]]\n" + lines);
+}
+std::string parts(const std::string& first, const std::string& second = "[[part]]") {
+    const std::string body =
+        "[part.scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\ncount = 5\n"
+        "[part.hair]\nlength = 25\n";
+    return "kushi = 1\n[[part]]\n" + first + "\n" + body + second + "\n" + body;
+}
+
+class MalformedStyle : public testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedStyle, IsRefusedWithItsMessageAtItsPlace) {
+    std::string text = GetParam().text;
+    const std::vector<Place> places = takeMarks(text);
+    ASSERT_EQ(places.size(), GetParam().messages.size());
+    const auto style = parseStyle(text, "bad.toml");
+    ASSERT_FALSE(style);
+    const std::vector<Problem>& problems = style.problems();
+    for (const Problem& problem : problems) {
+        EXPECT_EQ(problem.file, "bad.toml");
+        EXPECT_FALSE(problem.system);
+        EXPECT_FALSE(problem.message.ends_with('.'));
+    }
+    std::string listing;
+    for (const Problem& problem : problems)
+        listing += toString(problem) + '\n';
+    ASSERT_EQ(problems.size(), places.size()) << listing;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_EQ(problems[i].line, places[i].line) << listing;
+        EXPECT_EQ(problems[i].column, places[i].column) << listing;
+        EXPECT_THAT(problems[i].message, testing::HasSubstr(GetParam().messages[i]));
+    }
+}
+
+const Malformed syntax[] = {
+    {"kushi = 1\nname = @bob\n", {"found bob without quotes, expected a value such as \"bob\""}},
+    {"[hair]\ntype = @fine\n", {"found fine without quotes"}},
+    {"kushi = 1\nseed = 2@,5\n", {"expected a comment or whitespace, saw ','"}},
+    {"kushi = 1\nseed =@\n", {"expected value, saw '\\n'"}},
+    {"kushi = 1\nname = \"bob@\n", {"(in a string)"}},
+    {"kushi = 1\nname = \"bob@", {"the file ends within a string"}},
+    {"kushi = 1\n@kushi = 1\n", {"'kushi' is given twice"}},
+    {"# \xE6\xAB\x9B\nhair = { length = 1, @length = 2 }\n", {"'length' is given twice"}},
+    {"[hair]\n[scalp]\n@[hair]\n", {"[hair] is given twice"}},
+    {"[[part]]\n@[part]\n", {"cannot redefine existing array 'part' as table"}},
+    {"gravity = [0 @-1 0]\n", {"expected comma or closing ']', saw '-'"}},
+    {"gravity = [@}]\n", {"could not determine value type"}},
+    {"# caf\xC3\xA9\nname = caf@\xC3\xA9\n",
+     {"found '\xC3\xA9', expected no such character outside of strings and comments"}},
+    {"seed = 1@\xC2\xA0# no-break space\n", {"found '\xC2\xA0'"}},
+    {"seed = 5.\"@\xE3\x81\x82\"\n", {"found '\xE3\x81\x82'"}},
+    {"name = \"\"\"\\ \n @\xC3\xA9\"\"\"\n", {"found '\xC3\xA9'"}},
+    {"[hair@\nlength = 25\n", {"expected ']', saw '\\n'"}},
+    {"@= 1\n", {"expected keys, tables, whitespace or comments"}},
+    {"seed = 010@\n", {"leading zeroes are prohibited"}},
+    {"name = \"caf\\@q\"\n", {"unknown escape sequence"}},
+    {"hair = { length = 25,@\n}\n", {"inline table"}},
+};
+INSTANTIATE_TEST_SUITE_P(Syntax, MalformedStyle, testing::ValuesIn(syntax));
+
+const Malformed keys[] = {
+    {atTop("@sead = 5"), {"unknown key 'sead' in the style; did you mean 'seed'?"}},
+    {atTop("@tint = 5"), {"unknown key 'tint' in the style; expected 'kushi', 'name', 'seed'"}},
+    {atTop("@length = 5"), {"'length' in the style; it belongs in [hair]"}},
+    {withTables("[@sovler]\n"), {"did you mean 'solver'?"}},
+    {withTables("[head]\n@seed = 5"), {"it belongs at the top, before any [table]"}},
+    {withTables("[head]\n@mash = \"none\""), {"in [head]; did you mean 'mesh'?"}},
+    {withTables("[solver]\n@segment = 5"), {"in [solver]; did you mean 'segments'?"}},
+    {parts("@hairs = 1"), {"in [[part]]; did you mean 'hair'?"}},
+    {parts("@length = 1"), {"it belongs in [part.hair]"}},
+    {"kushi = 1\n" + scalpTable + "[hair]\n@lenght = 25\n", {"did you mean 'length'?"}},
+    {"kushi = 1\n[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\n@spaceing = 1\n" + hairTable,
+     {"did you mean 'spacing'?"}},
+    {"kushi = 1\n[scalp]\nellipsoid = { @semi_axis = [10, 12, 8] }\ncount = 1\n" + hairTable,
+     {"unknown key 'semi_axis' in ellipsoid; did you mean 'semi_axes'?"}},
+    {inScalp("count = 1\nregions = [{ @tehta = [0, 1] }]"), {"in regions; did you mean 'theta'?"}},
+    {inForce("roots = { @rho = [0, 1] }"), {"in roots; expected 'theta' or 'phi'"}},
+    {inForce("within = { y = [0, 1], @theta = [0, 1] }"), {"in within; it belongs in regions"}},
+    {inForce("falloff = { @mm = 1 }"), {"in falloff"}},
+    {inForce("@magnitud = 1"), {"in [[force]]; did you mean 'magnitude'?"}},
+    {inCut("below = 1\n@modes = \"hide\""), {"in [[cut]]; did you mean 'mode'?"}},
+    {inHair("@\"dia meter\" = 1"), {"unknown key 'dia meter' in [hair]; did you mean 'diameter'?"}},
+    {atTop("@" + std::string(100, 'k') + " = 1"), {"key '" + std::string(40, 'k') + "...'"}},
+};
+INSTANTIATE_TEST_SUITE_P(UnknownKeys, MalformedStyle, testing::ValuesIn(keys));
+
+const Malformed missing[] = {
+    {"@name = \"bob\"\n" + scalpTable + hairTable, {"no 'kushi', expected the format version"}},
+    {"@kushi = 1\n", {"the style has no hair, expected [[part]] with [part.scalp]"}},
+    {"@@", {"no 'kushi'", "the style has no hair"}},
+    {"@kushi = 1\n" + scalpTable, {"the style has no 'hair', expected [hair]"}},
+    {"kushi = 1\n@[[part]]\n[part.hair]\nlength = 25\n",
+     {"[[part]] has no 'scalp', expected [part.scalp]"}},
+    {"kushi = 1\n@[[part]]\n[part.scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\ncount = 1\n",
+     {"[[part]] has no 'hair', expected [part.hair]"}},
+    {"kushi = 1\n" + scalpTable + "  @[hair]\ntype = \"fine\"\n",
+     {"[hair] has no 'length', expected a number of cm"}},
+    {"kushi = 1\n@[scalp]\ncount = 1\n" + hairTable, {"[scalp] has no 'ellipsoid'"}},
+    {"kushi = 1\n[scalp]\nellipsoid = @{ rotate_z = 2 }\ncount = 1\n" + hairTable,
+     {"ellipsoid has no 'semi_axes'"}},
+    {"kushi = 1\n@[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\n" + hairTable,
+     {"[scalp] has neither 'spacing' nor 'count', expected one of them"}},
+    {withTables("@[[force]]\nmagnitude = 1"), {"[[force]] has no 'direction'"}},
+    {withTables("@[[cut]]\nmode = \"hide\""), {"[[cut]] has neither 'below' nor 'keep'"}},
+    {"kushi = 1\npart = @[]\n", {"part: found an empty array, expected at least one [[part]]"}},
+    {inScalp("count = 1\nregions = @[]"), {"regions: found an empty array"}},
+    {inScalp("count = 1\n@spacing = 1"), {"found both 'spacing' and 'count'"}},
+    {inCut("keep = [[1, 2]]\n@below = 1"), {"found both 'below' and 'keep'"}},
+};
+INSTANTIATE_TEST_SUITE_P(MissingKeys, MalformedStyle, testing::ValuesIn(missing));
+
+const Malformed types[] = {
+    {"kushi = @\"1\"\n" + scalpTable + hairTable, {"kushi: found the string \"1\", expected 1"}},
+    {"kushi = @1.0\n" + scalpTable + hairTable, {"kushi: found 1.0, expected 1"}},
+    {"kushi = @0\n" + scalpTable + hairTable, {"kushi: found 0, expected 1"}},
+    {"kushi = @2\nsomething = \"new\"\n[hair]\nlength = \"any\"\n",
+     {"written for Kushi format 2; this program reads format 1: get a newer Kushi"}},
+    {atTop("name = @5"), {"name: found 5, expected a string"}},
+    {atTop("seed = @1.5"), {"seed: found 1.5, expected a whole number from 0"}},
+    {atTop("seed = @true"), {"seed: found true"}},
+    {atTop("gravity = @[0, -1]"), {"gravity: found an array of 2, expected an array of 3"}},
+    {atTop("gravity = @-1"), {"gravity: found -1, expected an array of 3"}},
+    {atTop("gravity = [0, @\"down\", 0]"), {"gravity: found the string \"down\", expected a num"}},
+    {atTop("head = @\"none\""), {"head: found the string \"none\", expected the table [head]"}},
+    {atTop("solver = @[1]"), {"solver: found an array of 1, expected the table [solver]"}},
+    {withTables("[solver]\nsegments = @24.0"), {"segments: found 24.0, expected a whole number"}},
+    {withTables("[solver]\nmethod = @1"), {"method: found 1, expected \"cantilever\""}},
+    {"kushi = 1\n@[part]\n[part.hair]\nlength = 1\n",
+     {"part: found a table, expected [[part]], one for each"}},
+    {"kushi = 1\npart = [@5]\n", {"part: found 5, expected a table"}},
+    {withTables("@[force]\ndirection = \"z\""), {"force: found a table, expected [[force]], one"}},
+    {parts("", "@[part.cut]\nbelow = 1\n[[part]]"), {"cut: found a table, expected [[part.cut]]"}},
+    {"kushi = 1\n" + scalpTable + "@[[hair]]\nlength = 25\n",
+     {"hair: found an array of 1, expected the table [hair]"}},
+    {inHair("diameter = @\"75 um\""), {"numbers stand without quotes and units"}},
+    {inHair("diameter = @[75]"), {"diameter: found an array of 1, expected a number"}},
+    {inHair("diameter = @1979-05-27"), {"diameter: found the date 1979-05-27"}},
+    {inHair("stiffness = @{ bending = 1 }"), {"stiffness: found a table, expected a number"}},
+    {inScalp("count = @50_000.0"), {"count: found 50_000.0, expected a whole number from 1"}},
+    {inScalp("count = 1\nregions = @{ theta = [0, 1] }"),
+     {"regions: found a table, expected an array of tables"}},
+    {inScalp("count = 1\nregions = [{ theta = @5 }, @5]"),
+     {"theta: found 5, expected a range, [low, high]", "regions: found 5, expected a table"}},
+    {inForce("roots = @[0, 90]"), {"roots: found an array of 2, expected a table"}},
+    {inForce("within = { y = @[1, 2, 3] }"), {"y: found an array of 3, expected a range"}},
+    {withTables("[[force]]\ndirection = @5"), {"direction: found 5, expected a name"}},
+    {withTables("[[force]]\ndirection = @[0, 1]"), {"direction: found an array of 2"}},
+    {inCut("keep = @5"), {"keep: found 5, expected pairs"}},
+    {inCut("keep = [[1, 2], @[3]]"), {"keep: found an array of 1, expected a pair"}},
+};
+INSTANTIATE_TEST_SUITE_P(Types, MalformedStyle, testing::ValuesIn(types));
+
+const Malformed ranges[] = {
+    {atTop("seed = @-1"), {"seed: found -1"}},
+    {atTop("gravity = [0, @-101, @inf]"), {"gravity: found -101", "gravity: found inf"}},
+    {withTables("[solver]\nsegments = @0\navoidance_steps = @17"),
+     {"from 1 to 256", "from 1 to 16"}},
+    {inScalp("spacing = @0.001"), {"expected a number from 0.01 to 10 cm"}},
+    {inScalp("spacing = @13"),
+     {"spacing: found 13, expected a number from 0.01 to 10 cm; 13 mm "
+      "would be 1.3"}},
+    {inScalp("count = @5_000_001"), {"found 5_000_001, expected a whole number from 1 to 5000000"}},
+    {inScalp("count = 1\njitter = @50"), {"50 % would be 0.5"}},
+    {inScalp("count = 1\nregions = [{ theta = [0, @181] }]"), {"from 0 to 180 degrees"}},
+    {inScalp("count = 1\nregions = [{ theta = @[90, 90] }]"),
+     {"theta: found a range from 90 to 90, expected the lower end first"}},
+    {inScalp("count = 1\nregions = [{ phi = @[-100, 270] }]"),
+     {"phi: found a range that spans 370 degrees"}},
+    {inScalp("count = 1\nregions = [{ phi = [@-400, 0], theta = [0, @inf] }]"),
+     {"from -360 to 360 degrees", "theta: found inf"}},
+    {"kushi = 1\n[scalp]\nellipsoid = { center = [0, @nan, 0], semi_axes = [@0, 1, @-1], rotate_z "
+     "= @361 }\ncount = 1\n" +
+         hairTable,
+     {"center: found nan", "semi_axes: found 0, expected a number from 0.5 to 100 cm",
+      "semi_axes: found -1", "rotate_z: found 361"}},
+    {"kushi = 1\n" + scalpTable + "[hair]\nlength = @500\n",
+     {"length: found 500, expected a number from 0.1 to 300 cm; 500 mm would be 50"}},
+    {"kushi = 1\n" + scalpTable + "[hair]\nlength = @0\n", {"length: found 0"}},
+    {"kushi = 1\n" + scalpTable + "[hair]\nlength = @nan\n", {"length: found nan"}},
+    {inHair("length_variation = @5"), {"5 % would be 0.05"}},
+    {inHair("youngs_modulus = @3.9e9"), {"3.9e9 Pa would be 3.9"}},
+    {inHair("youngs_modulus = @3900"), {"3900 MPa would be 3.9"}},
+    {inHair("diameter = @0.075"),
+     {"found 0.075, expected a number from 10 to 300 micrometres; 0.075 mm would be 75"}},
+    {inHair("density = @1320"), {"1320 kg/m3 would be 1.32"}},
+    {inHair("flexural_rigidity = @0"), {"from 1e-12 to 1 N m2"}},
+    {inHair("stiffness = @-1"), {"from 0.001 to 1000"}},
+    {inHair("type = @\"thick\""), {R"(expected "fine", "medium" or "coarse")"}},
+    {inHair("type = @\"corse\""), {"did you mean \"coarse\"?"}},
+    {inHair("growth = @\"radical\""), {"did you mean \"radial\"?"}},
+    {withTables("[head]\nmesh = @\"maniquin\""), {"did you mean \"mannequin\"?"}},
+    {withTables("[[force]]\ndirection = @\"sideways\""), {R"(expected "x", "y", "z", "r")"}},
+    {withTables("[[force]]\ndirection = @[0, 0.0, 0]"), {"found a zero vector"}},
+    {withTables("[[force]]\ndirection = [0, @inf, 0]"), {"direction: found inf"}},
+    {inForce("magnitude = @1001"), {"from -1000 to 1000 times the hair's own weight"}},
+    {inForce("within = { y = @[inf, 0] }"), {"y: found a range from inf to 0"}},
+    {inForce("within = { y = [@nan, inf] }"), {"y: found nan"}},
+    {inForce("falloff = { degrees = @-1, cm = @101 }"), {"degrees: found -1", "cm: found 101"}},
+    {inCut("below = @inf"), {"below: found inf"}},
+    {inCut("keep = @[]"), {"keep: found an empty array"}},
+    {inCut("keep = [[3, 2], [@3, 2]]"), {"keep: found 3, expected heights in ascending order"}},
+    {inCut("keep = [[3, @-2]]"), {"from 0 to 300 cm"}},
+    {inCut("below = 1\nmode = @\"settel\""), {"did you mean \"settle\"?"}},
+    {parts("name = @\"\""), {"name: found an empty name"}},
+    {parts("name = \"a\"", "[[part]]\nname = @\"a\""), {"found a second part called \"a\""}},
+    {parts("name = \"hair 2\"", "@[[part]]"), {"found a second part called \"hair 2\""}},
+    {parts("") + "@[hair]\nlength = 25\n@[[cut]]\nbelow = 1\n",
+     {"'hair' stands at the top, but the style has [[part]]; it belongs in one of the parts, as "
+      "part.hair",
+      "'cut' stands at the top"}},
+};
+INSTANTIATE_TEST_SUITE_P(Ranges, MalformedStyle, testing::ValuesIn(ranges));
+
+const Malformed later[] = {
+    {withTables("[solver]\nmethod = @\"equilibrium\""),
+     {R"(method: "equilibrium" is not there yet in this version, expected "cantilever")"}},
+    {withTables("[head]\nmesh = @\"heads/me.glb\""), {"a head from a file is not there yet"}},
+    {withTables("[head]\nmesh = \"none\"\n@brows = 4"), {"'brows' is not there yet"}},
+    {inHair("@curl = { radius = 0.4, pitch = 1.5 }"), {"'curl' is not there yet"}},
+    {inHair("@shear_modulus = 1.3"), {"'shear_modulus' is not there yet"}},
+    {inHair("@color = [0, 0, 0]\n@taper = 0.5"), {"'color' is not there", "'taper' is not there"}},
+    {"kushi = 1\n[[part]]\n@groom = \"scan.hair\"\n[part.hair]\nlength = 25\n",
+     {"'groom' is not there yet in this version; plant the hair with [part.scalp]"}},
+    {inCut("below = @\"brows\""),
+     {"below: \"brows\" is a landmark of the head, which this version does not have yet; give a "
+      "number from -1000 to 1000 cm"}},
+    {inForce("within = { y = [@\"chin\", inf] }"), {"\"chin\" is a landmark of the head"}},
+    {inForce("@where = \"fringe\""), {"give the range as theta and phi in degrees"}},
+    {inForce("roots = { @where = \"fringe\" }"), {"'where' is not there yet"}},
+};
+INSTANTIATE_TEST_SUITE_P(LaterKeys, MalformedStyle, testing::ValuesIn(later));
+
+const Malformed several[] = {
+    {"kushi = 1\n@sead = 5\n[solver]\nsegments = @0\n[scalp]\n# \xE6\xAB\x9B \xE9\xAB\xAA\n"
+     "\"ellipsoid\" = { semi_axes = [10, @\"\xE9\xAB\xAA\", @\"12\"] }\ncount = @0\n"
+     "[hair]\ntype = @\"thin\"\nlength = @-1\n[[cut]]\nbelow = @\"chin\"\n",
+     {"'sead'", "segments", "semi_axes: found the string \"\xE9\xAB\xAA\"", "semi_axes", "count",
+      "type", "length", "\"chin\""}},
+    // The tables of a document may come in any order; its problems come in that of the text.
+    {"kushi = 1\n[[cut]]\nbelow = @nan\n[hair]\nlength = @nan\n" + scalpTable +
+         "[solver]\nsegments = @nan\n",
+     {"below", "length", "segments"}},
+};
+INSTANTIATE_TEST_SUITE_P(SeveralProblems, MalformedStyle, testing::ValuesIn(several));
+
+}  // namespace
+}  // namespace kushi

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "style/keys.h"
+#include "style/quantity.h"
+#include "style/spelling.h"
+
+#include <kushi/style.h>
+
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kushi {
+namespace {
+
+using testing::HasSubstr;
+
+std::string manual() {
+    std::ifstream file(KUSHI_SOURCE_DIR "/docs/style-file.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// From the heading that has `label` to the next heading.
+std::string section(const std::string& text, std::string_view label) {
+    std::istringstream lines(text);
+    std::string found;
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('#')) inside = line.find(label) != std::string::npos;
+        if (inside) found += line + '\n';
+    }
+    return found;
+}
+
+// The row of a table of keys.
+std::string row(const std::string& text, std::string_view key) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string cell = line.substr(0, line.find('|', 1));
+        if (line.starts_with('|') && cell.find('`' + std::string(key) + '`') != std::string::npos) {
+            return line;
+        }
+    }
+    return {};
+}
+
+std::string labelOf(const TableKeys& table) {
+    return &table == &tables::top ? "Top of the style" : '`' + std::string(table.label) + '`';
+}
+
+TEST(Manual, HasEveryKeyInTheSectionOfItsTable) {
+    const std::string text = manual();
+    for (const TableKeys* table : tables::all) {
+        const std::string part = section(text, labelOf(*table));
+        EXPECT_FALSE(part.empty()) << table->label;
+        for (const std::string_view key : table->keys()) {
+            EXPECT_FALSE(row(part, key).empty()) << table->label << ' ' << key;
+        }
+    }
+}
+
+TEST(Manual, NamesEveryKeyThatIsNotThereYet) {
+    const std::string text = section(manual(), "Not there yet");
+    for (const std::string_view key : laterKeys()) {
+        EXPECT_THAT(text, HasSubstr('`' + std::string(key) + '`'));
+    }
+}
+
+TEST(Manual, HasTheRangesThatAreChecked) {
+    const std::string text = manual();
+    struct Checked {
+        const TableKeys& table;
+        std::string_view key;
+        const Quantity& quantity;
+    };
+    const Checked checked[] = {
+        {tables::top, "gravity", quantities::gravity},
+        {tables::scalp, "spacing", quantities::spacing},
+        {tables::scalp, "jitter", quantities::jitter},
+        {tables::ellipsoid, "center", quantities::place},
+        {tables::ellipsoid, "semi_axes", quantities::semiAxis},
+        {tables::ellipsoid, "rotate_z", quantities::rotation},
+        {tables::regions, "theta", quantities::theta},
+        {tables::regions, "phi", quantities::phi},
+        {tables::roots, "theta", quantities::theta},
+        {tables::roots, "phi", quantities::phi},
+        {tables::hair, "length", quantities::length},
+        {tables::hair, "length_variation", quantities::lengthVariation},
+        {tables::hair, "youngs_modulus", quantities::youngsModulus},
+        {tables::hair, "diameter", quantities::diameter},
+        {tables::hair, "density", quantities::density},
+        {tables::hair, "flexural_rigidity", quantities::flexuralRigidity},
+        {tables::hair, "stiffness", quantities::stiffness},
+        {tables::force, "magnitude", quantities::magnitude},
+        {tables::within, "x", quantities::place},
+        {tables::within, "y", quantities::place},
+        {tables::within, "z", quantities::place},
+        {tables::falloff, "degrees", quantities::falloffAngle},
+        {tables::falloff, "cm", quantities::falloffDistance},
+        {tables::cut, "below", quantities::place},
+        {tables::cut, "keep", quantities::place},
+        {tables::cut, "keep", quantities::lengthLeft},
+    };
+    for (const auto& [table, key, quantity] : checked) {
+        const std::string range = plainNumber(quantity.low) + " to " + plainNumber(quantity.high);
+        EXPECT_THAT(row(section(text, labelOf(table)), key), HasSubstr(range));
+    }
+}
+
+TEST(Manual, HasExamplesThatAreStyles) {
+    const std::string text = manual();
+    const std::string fence = "```toml\n";
+    int examples = 0;
+    for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+        at += fence.size();
+        const auto style = parseStyle(text.substr(at, text.find("```", at) - at), "style-file.md");
+        EXPECT_TRUE(style) << toString(style.problems()[0]);
+        ++examples;
+    }
+    EXPECT_EQ(examples, 2);
+}
+
+}  // namespace
+}  // namespace kushi

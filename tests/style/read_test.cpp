@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "style/keys.h"
+
+#include <kushi/style.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kushi {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+Style parsed(const std::string& text) {
+    const auto style = parseStyle(text, "test.toml");
+    if (style) return *style;
+    for (const Problem& problem : style.problems())
+        ADD_FAILURE() << toString(problem);
+    return {};
+}
+
+const std::string smallest =
+    "kushi = 1\n"
+    "[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\nspacing = 0.5\n"
+    "[hair]\nlength = 25\n";
+
+Part partWith(const std::string& tables) {
+    const Style style = parsed(smallest + tables);
+    return style.parts.empty() ? Part{} : style.parts[0];
+}
+
+void expectNear(Vec3d actual, Vec3d expected) {
+    EXPECT_NEAR(actual.x, expected.x, 1e-15);
+    EXPECT_NEAR(actual.y, expected.y, 1e-15);
+    EXPECT_NEAR(actual.z, expected.z, 1e-15);
+}
+
+void expectRange(Range actual, double low, double high) {
+    EXPECT_DOUBLE_EQ(actual.low, low);
+    EXPECT_DOUBLE_EQ(actual.high, high);
+}
+
+TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
+    const Style style = parsed(smallest);
+    EXPECT_EQ(style.name, "");
+    EXPECT_EQ(style.seed, 1U);
+    EXPECT_EQ(style.gravity, (Vec3d{0, -1, 0}));
+    EXPECT_EQ(style.headMesh, "mannequin");
+    EXPECT_EQ(style.solver.method, Method::Cantilever);
+    EXPECT_EQ(style.solver.segments, 24);
+    EXPECT_EQ(style.solver.avoidanceSteps, 4);
+    ASSERT_EQ(style.parts.size(), 1U);
+
+    const Part& part = style.parts[0];
+    EXPECT_EQ(part.name, "hair");
+    EXPECT_TRUE(part.forces.empty());
+    EXPECT_TRUE(part.cuts.empty());
+    EXPECT_EQ(part.scalp.ellipsoid.center, (Vec3d{0, 0, 0}));
+    EXPECT_EQ(part.scalp.ellipsoid.rotateZ, 0);
+    EXPECT_EQ(part.scalp.jitter, 0.5);
+    ASSERT_EQ(part.scalp.regions.size(), 1U);
+    expectRange(part.scalp.regions[0].theta, -inf, inf);
+    expectRange(part.scalp.regions[0].phi, -inf, inf);
+    EXPECT_EQ(part.hair.lengthVariation, 0);
+    EXPECT_EQ(part.hair.youngsModulus, 3.9e9);
+    EXPECT_EQ(part.hair.diameter, 75e-6);
+    EXPECT_EQ(part.hair.density, 1320);
+    EXPECT_EQ(part.hair.flexuralRigidity, std::nullopt);
+    EXPECT_EQ(part.hair.stiffness, 1);
+    EXPECT_EQ(part.hair.growth, Growth::Normal);
+}
+
+TEST(Style, TopKeysAreRead) {
+    const Style style =
+        parsed("name = \"bob \xE6\xAB\x9B\"\nseed = 9223372036854775807\ngravity = [0, -1.5, 2]\n" +
+               smallest + "[head]\nmesh = \"none\"\n" +
+               "[solver]\nmethod = \"cantilever\"\nsegments = 256\navoidance_steps = 16\n");
+    EXPECT_EQ(style.name, "bob \xE6\xAB\x9B");
+    EXPECT_EQ(style.seed, 9223372036854775807U);
+    EXPECT_EQ(style.gravity, (Vec3d{0, -1.5, 2}));
+    EXPECT_EQ(style.headMesh, "none");
+    EXPECT_EQ(style.solver.segments, 256);
+    EXPECT_EQ(style.solver.avoidanceSteps, 16);
+}
+
+TEST(Style, ScalpIsConvertedToMetresAndRadians) {
+    const Style style = parsed(
+        "kushi = 1\n[[part]]\nname = \"tail\"\n[part.scalp]\n"
+        "ellipsoid = { center = [1, -2.5, 3], semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }\n"
+        "count = 50_000\njitter = 0.25\n"
+        "regions = [{ theta = [0, 90] }, { theta = [45, 180], phi = [90, 270] }]\n"
+        "[part.hair]\nlength = 25\n");
+    ASSERT_EQ(style.parts.size(), 1U);
+    EXPECT_EQ(style.parts[0].name, "tail");
+    const Scalp& scalp = style.parts[0].scalp;
+    EXPECT_EQ(scalp.ellipsoid.center, (Vec3d{0.01, -0.025, 0.03}));
+    EXPECT_EQ(scalp.ellipsoid.semiAxes, (Vec3d{0.105, 0.125, 0.085}));
+    EXPECT_DOUBLE_EQ(scalp.ellipsoid.rotateZ, pi / 9);
+    EXPECT_EQ(scalp.spacing, std::nullopt);
+    EXPECT_EQ(scalp.count, 50'000);
+    EXPECT_EQ(scalp.jitter, 0.25);
+    ASSERT_EQ(scalp.regions.size(), 2U);
+    expectRange(scalp.regions[0].theta, 0, pi / 2);
+    expectRange(scalp.regions[0].phi, -inf, inf);
+    expectRange(scalp.regions[1].theta, pi / 4, pi);
+    expectRange(scalp.regions[1].phi, pi / 2, 3 * pi / 2);
+}
+
+TEST(Style, HairIsConvertedToSi) {
+    const Hair hair = partWith(
+                          "length_variation = 0.05\nyoungs_modulus = 4\ndiameter = 81\n"
+                          "density = 1.3\nflexural_rigidity = 7.8e-9\nstiffness = 2\n"
+                          "growth = \"radial\"\n")
+                          .hair;
+    EXPECT_EQ(hair.length, 0.25);
+    EXPECT_EQ(hair.lengthVariation, 0.05);
+    EXPECT_EQ(hair.youngsModulus, 4e9);
+    EXPECT_EQ(hair.diameter, 81e-6);
+    EXPECT_DOUBLE_EQ(hair.density, 1300);
+    EXPECT_EQ(hair.flexuralRigidity, 7.8e-9);
+    EXPECT_EQ(hair.stiffness, 2);
+    EXPECT_EQ(hair.growth, Growth::Radial);
+}
+
+TEST(Style, HairTypesAreDiametersThatADiameterReplaces) {
+    EXPECT_EQ(partWith("type = \"fine\"\n").hair.diameter, 60e-6);
+    EXPECT_EQ(partWith("type = \"medium\"\n").hair.diameter, 75e-6);
+    EXPECT_EQ(partWith("type = \"coarse\"\n").hair.diameter, 95e-6);
+    EXPECT_EQ(partWith("diameter = 50\ntype = \"coarse\"\n").hair.diameter, 50e-6);
+}
+
+TEST(Style, ForcesAreReadInOrder) {
+    const Part part = partWith(
+        "[[force]]\nroots = { theta = [0, 90], phi = [-180, 180] }\n"
+        "within = { x = [-inf, 5], y = [3.5, inf], z = [0, +inf] }\n"
+        "direction = \"z\"\nmagnitude = -0.5\nfalloff = { degrees = 18, cm = 1 }\n"
+        "[[force]]\ndirection = \"r\"\n");
+    ASSERT_EQ(part.forces.size(), 2U);
+    const Force& force = part.forces[0];
+    expectRange(force.roots.theta, 0, pi / 2);
+    expectRange(force.roots.phi, -pi, pi);
+    expectRange(force.within.x, -inf, 0.05);
+    expectRange(force.within.y, 0.035, inf);
+    expectRange(force.within.z, 0, inf);
+    EXPECT_FALSE(force.direction.radial);
+    EXPECT_EQ(force.direction.vector, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(force.magnitude, -0.5);
+    EXPECT_DOUBLE_EQ(force.falloff.angle, pi / 10);
+    EXPECT_EQ(force.falloff.distance, 0.01);
+
+    const Force& plain = part.forces[1];
+    EXPECT_TRUE(plain.direction.radial);
+    EXPECT_EQ(plain.magnitude, 1);
+    EXPECT_EQ(plain.falloff.angle, 0);
+    EXPECT_EQ(plain.falloff.distance, 0);
+    expectRange(plain.within.y, -inf, inf);
+    expectRange(plain.roots.theta, -inf, inf);
+}
+
+TEST(Style, NamedDirectionsAreThoseOfTheFace) {
+    const auto directed = [](const std::string& name) {
+        const Part part = partWith("[[force]]\nmagnitude = 0.25\ndirection = \"" + name + "\"\n");
+        return part.forces.empty() ? Force{} : part.forces[0];
+    };
+    expectNear(directed("x").direction.vector, {1, 0, 0});
+    expectNear(directed("y").direction.vector, {0, 1, 0});
+    expectNear(directed("z").direction.vector, {0, 0, 1});
+    expectNear(directed("front").direction.vector, {1, 0, 0});
+    expectNear(directed("back").direction.vector, {-1, 0, 0});
+    expectNear(directed("left").direction.vector, {0, 0, -1});
+    expectNear(directed("right").direction.vector, {0, 0, 1});
+    expectNear(directed("up").direction.vector, {0, 1, 0});
+    expectNear(directed("down").direction.vector, {0, -1, 0});
+    for (const char* name : {"r", "out"}) {
+        EXPECT_TRUE(directed(name).direction.radial);
+        EXPECT_EQ(directed(name).magnitude, 0.25);
+    }
+    EXPECT_TRUE(directed("in").direction.radial);
+    EXPECT_EQ(directed("in").magnitude, -0.25);
+    EXPECT_EQ(directed("left").magnitude, 0.25);
+}
+
+TEST(Style, VectorDirectionsAreNormalised) {
+    const Part part = partWith(
+        "[[force]]\ndirection = [0, 3, -4]\n"
+        "[[force]]\ndirection = [1e-200, 0.0, 0]\n");
+    ASSERT_EQ(part.forces.size(), 2U);
+    expectNear(part.forces[0].direction.vector, {0, 0.6, -0.8});
+    expectNear(part.forces[1].direction.vector, {1, 0, 0});
+}
+
+TEST(Style, CutsAreReadInOrder) {
+    const Part part = partWith(
+        "[[cut]]\nroots = { theta = [0, 60], phi = [-60, 60] }\nbelow = -3.5\nmode = \"hide\"\n"
+        "[[cut]]\nkeep = [[-4, 2.0], [8, 6], [9.5, 0]]\nmode = \"settle\"\n"
+        "[[cut]]\nbelow = 0\n");
+    ASSERT_EQ(part.cuts.size(), 3U);
+    expectRange(part.cuts[0].roots.theta, 0, pi / 3);
+    EXPECT_EQ(part.cuts[0].below, -0.035);
+    EXPECT_TRUE(part.cuts[0].keep.empty());
+    EXPECT_EQ(part.cuts[0].mode, CutMode::Hide);
+
+    EXPECT_EQ(part.cuts[1].below, std::nullopt);
+    ASSERT_EQ(part.cuts[1].keep.size(), 3U);
+    EXPECT_EQ(part.cuts[1].keep[0].y, -0.04);
+    EXPECT_EQ(part.cuts[1].keep[0].length, 0.02);
+    EXPECT_EQ(part.cuts[1].keep[1].y, 0.08);
+    EXPECT_EQ(part.cuts[1].keep[2].length, 0);
+    EXPECT_EQ(part.cuts[1].mode, CutMode::Settle);
+    EXPECT_EQ(part.cuts[2].mode, CutMode::Settle);
+}
+
+TEST(Style, MayHaveSeveralPartsWithNamesOfTheirOwn) {
+    const std::string body =
+        "[part.scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\ncount = 5\n[part.hair]\nlength = ";
+    const Style style = parsed("kushi = 1\n[[part]]\n" + body + "10\n[[part]]\n" + body +
+                               "20\n[[part]]\nname = \"tail\"\n" + body + "30\n");
+    ASSERT_EQ(style.parts.size(), 3U);
+    EXPECT_EQ(style.parts[0].name, "hair");
+    EXPECT_EQ(style.parts[1].name, "hair 2");
+    EXPECT_EQ(style.parts[2].name, "tail");
+    EXPECT_DOUBLE_EQ(style.parts[2].hair.length, 0.3);
+}
+
+TEST(Style, MayBeWrittenInAnyOfTomlsWays) {
+    const Style style = parsed(
+        "kushi = 0x1\nscalp.ellipsoid.semi_axes = [ 1_0, # front\n 12.0, 8e0,\n]\r\n"
+        "scalp.\"count\" = 5 # few\nhair = { length = 25, type = 'fine' }\n"
+        "force = [{ direction = 'z' }]\ncut = []\n");
+    ASSERT_EQ(style.parts.size(), 1U);
+    EXPECT_EQ(style.parts[0].scalp.ellipsoid.semiAxes, (Vec3d{0.1, 0.12, 0.08}));
+    EXPECT_EQ(style.parts[0].scalp.count, 5);
+    EXPECT_EQ(style.parts[0].hair.diameter, 60e-6);
+    EXPECT_EQ(style.parts[0].forces.size(), 1U);
+}
+
+TEST(Style, RangesAreClosedAtBothEnds) {
+    for (const char* line : {"length = 0.1", "length = 300"}) {
+        std::string text = smallest;
+        text.replace(text.find("length = 25"), 11, line);
+        EXPECT_TRUE(parseStyle(text, "f")) << line;
+    }
+    EXPECT_TRUE(parseStyle(smallest + "[[cut]]\nbelow = 1\nroots = { phi = [-360, 0] }\n", "f"));
+    EXPECT_TRUE(parseStyle(smallest + "[[cut]]\nbelow = 1\nroots = { phi = [0, 360] }\n", "f"));
+}
+
+// The example of the contract, as far as this version goes.
+TEST(Style, ThePapersExampleIsRead) {
+    const Style style = parsed(R"(
+kushi = 1                          # format version
+name  = "bob"
+seed  = 1992
+gravity = [0, -1, 0]               # times the earth's
+
+[head]
+mesh = "mannequin"                 # built in
+
+[solver]                           # how well, not what
+method = "cantilever"
+segments = 24
+avoidance_steps = 4
+
+[[part]]
+name = "hair"
+
+[part.scalp]
+ellipsoid = { center = [0, 0, 0], semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }   # cm, degrees
+spacing = 0.13                     # cm between follicles
+jitter  = 0.5
+regions = [ { theta = [0, 100], phi = [-180, 180] } ]
+
+[part.hair]
+type = "medium"
+length = 25.0                      # cm
+length_variation = 0.05
+youngs_modulus = 3.9               # GPa
+diameter = 75                      # micrometres
+density = 1.32                     # g/cm3
+
+[[part.force]]
+roots  = { theta = [0, 90], phi = [-180, 180] }
+within = { y = [3.5, inf], z = [0, inf] }
+direction = "z"
+magnitude = 1.0
+
+[[part.cut]]
+roots = { theta = [0, 60], phi = [-60, 60] }
+below = 3.5
+mode = "settle"
+)");
+    EXPECT_EQ(style.name, "bob");
+    EXPECT_EQ(style.seed, 1992U);
+    ASSERT_EQ(style.parts.size(), 1U);
+    const Part& part = style.parts[0];
+    EXPECT_EQ(part.scalp.ellipsoid.semiAxes, (Vec3d{0.105, 0.125, 0.085}));
+    EXPECT_DOUBLE_EQ(part.scalp.ellipsoid.rotateZ, 0.3490658503988659);
+    EXPECT_EQ(part.scalp.spacing, 0.0013);
+    expectRange(part.scalp.regions.at(0).theta, 0, 1.7453292519943295);
+    EXPECT_EQ(part.hair.length, 0.25);
+    EXPECT_EQ(part.hair.diameter, 75e-6);
+    EXPECT_DOUBLE_EQ(part.hair.density, 1320);
+    ASSERT_EQ(part.forces.size(), 1U);
+    expectRange(part.forces[0].within.y, 0.035, inf);
+    EXPECT_EQ(part.forces[0].magnitude, 1);
+    ASSERT_EQ(part.cuts.size(), 1U);
+    EXPECT_EQ(part.cuts[0].below, 0.035);
+    EXPECT_EQ(part.cuts[0].mode, CutMode::Settle);
+}
+
+// No key may be known and then not looked at: a date fits none, so each must complain.
+TEST(Style, EveryKnownKeyIsRead) {
+    const std::pair<const TableKeys*, std::string> places[] = {
+        {&tables::top, ""},
+        {&tables::head, "[head]\n"},
+        {&tables::solver, "[solver]\n"},
+        {&tables::part, "[[part]]\n"},
+        {&tables::scalp, "[scalp]\n"},
+        {&tables::ellipsoid, "[scalp.ellipsoid]\n"},
+        {&tables::regions, "[[scalp.regions]]\n"},
+        {&tables::hair, "[hair]\n"},
+        {&tables::force, "[[force]]\n"},
+        {&tables::cut, "[[cut]]\n"},
+        {&tables::roots, "[[cut]]\n[cut.roots]\n"},
+        {&tables::within, "[[force]]\n[force.within]\n"},
+        {&tables::falloff, "[[force]]\n[force.falloff]\n"},
+    };
+    EXPECT_EQ(std::size(places), std::size(tables::all));
+    for (const auto& [table, header] : places) {
+        for (const std::string_view key : table->keys()) {
+            const auto style = parseStyle(header + std::string(key) + " = 1979-05-27\n", "f");
+            ASSERT_FALSE(style) << key;
+            EXPECT_THAT(style.problems(),
+                        testing::Contains(testing::Field(
+                            &Problem::message,
+                            testing::StartsWith(std::string(key) + ": found the date 1979-05-27"))))
+                << table->label;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kushi

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
-#include <memory>
-
 #include "commands.h"
 #include "messages.h"
 
 #include <kushi/style.h>
+
+#include <cstdio>
 
 namespace kushi {
 
@@ -15,7 +14,9 @@ std::string plural(std::size_t number, const char* what) {
     return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
 }
 
-int check(const std::string& path) {
+}  // namespace
+
+int runCheck(const std::string& path) {
     const Result<Style> style = readStyle(path);
     if (!style) return report(style.problems());
     std::size_t forces = 0;
@@ -24,19 +25,10 @@ int check(const std::string& path) {
         forces += part.forces.size();
         cuts += part.cuts.size();
     }
-    std::printf("%s: good (%s, %s, %s)\n", path.c_str(), plural(style->parts.size(), "part").c_str(),
-                plural(forces, "force").c_str(), plural(cuts, "cut").c_str());
+    std::printf("%s: good (%s, %s, %s)\n", path.c_str(),
+                plural(style->parts.size(), "part").c_str(), plural(forces, "force").c_str(),
+                plural(cuts, "cut").c_str());
     return done;
-}
-
-}  // namespace
-
-void addCheck(CLI::App& program, int& status) {
-    const auto path = std::make_shared<std::string>();
-    CLI::App* command = program.add_subcommand("check", "Say what is wrong with a style, and where");
-    command->add_option("STYLE", *path, "The style file (.toml)")->required();
-    command->footer("Every problem is one line, FILE:LINE:COLUMN: error: ...; exit status 2 if there are any.");
-    command->callback([path, &status] { status = check(*path); });
 }
 
 }  // namespace kushi

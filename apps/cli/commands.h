@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
 
 namespace kushi {
 
@@ -9,13 +11,44 @@ namespace kushi {
 /// failure for anything else, such as an output that cannot be written.
 enum ExitStatus { done = 0, failure = 1, badInput = 2 };
 
-// Each adds one command to the program; when it is the one asked for, its exit status goes to
-// `status`.
-void addCheck(CLI::App& program, int& status);
-void addSettle(CLI::App& program, int& status);
-void addRender(CLI::App& program, int& status);
-void addConvert(CLI::App& program, int& status);
-void addInfo(CLI::App& program, int& status);
-void addRod(CLI::App& program, int& status);
+/// The flags of every command that settles a style.
+struct SettleFlags {
+    std::optional<int> segments;
+    std::optional<std::size_t> count;
+    int threads = 0;
+    std::string method;  ///< as given; empty: the style's
+};
+
+struct SettleArguments {
+    std::string input, output, reportPath;
+    SettleFlags flags;
+};
+
+struct RenderArguments {
+    std::string input, output, reportPath;
+    std::string size = "1024x1024";
+    std::string view = "three-quarter";
+    int supersample = 4;
+    SettleFlags flags;
+};
+
+struct RodArguments {
+    double lengthCm = 10;
+    double rigidity = 6.06e-9;  ///< N m2, of a medium hair
+    double weight = 5.72e-5;    ///< N/m, of a medium hair
+    double angle = 0;           ///< degrees
+    double tipLoad = 0;         ///< N
+    int segments = 24;
+    std::string method = "equilibrium";
+    bool json = false;
+};
+
+// The commands; each returns the exit status.
+int runCheck(const std::string& style);
+int runSettle(const SettleArguments& arguments);
+int runRender(const RenderArguments& arguments);
+int runConvert(const std::string& from, const std::string& to);
+int runInfo(const std::string& path, bool json);
+int runRod(const RodArguments& arguments);
 
 }  // namespace kushi

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
-#include <memory>
-
-#include <nlohmann/json.hpp>
-
 #include "commands.h"
 #include "input.h"
 #include "messages.h"
 
 #include <kushi/groom_io.h>
 
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
 namespace kushi {
 
 namespace {
 
-nlohmann::ordered_json inCentimetres(Vec3f v) { return {100.0 * v.x, 100.0 * v.y, 100.0 * v.z}; }
+nlohmann::ordered_json inCentimetres(Vec3f v) {
+    return {100.0 * v.x, 100.0 * v.y, 100.0 * v.z};
+}
 
 void printJson(const GroomSummary& summary) {
     nlohmann::ordered_json json;
@@ -34,21 +35,24 @@ void printJson(const GroomSummary& summary) {
 }
 
 void printTable(const std::string& path, const GroomSummary& summary) {
-    std::printf("%s\n  strands     %s\n  segments    %s\n", path.c_str(), grouped(summary.strands).c_str(),
-                grouped(summary.segments).c_str());
+    std::printf("%s\n  strands     %s\n  segments    %s\n", path.c_str(),
+                grouped(summary.strands).c_str(), grouped(summary.segments).c_str());
     if (summary.strands == 0) return;
     std::printf("  length      %.2f to %.2f cm, mean %.2f\n", 100 * summary.minLength,
                 100 * summary.maxLength, 100 * summary.meanLength);
     const Vec3f low = 100.0F * summary.bounds.low;
     const Vec3f high = 100.0F * summary.bounds.high;
-    std::printf("  bounds      x %.2f to %.2f, y %.2f to %.2f, z %.2f to %.2f cm\n", low.x, high.x, low.y,
-                high.y, low.z, high.z);
+    std::printf("  bounds      x %.2f to %.2f, y %.2f to %.2f, z %.2f to %.2f cm\n", low.x, high.x,
+                low.y, high.y, low.z, high.z);
     std::string names;
-    for (const std::string& name : summary.attributes) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : summary.attributes)
+        names += (names.empty() ? "" : ", ") + name;
     std::printf("  attributes  %s\n", names.empty() ? "none" : names.c_str());
 }
 
-int info(const std::string& path, bool json) {
+}  // namespace
+
+int runInfo(const std::string& path, bool json) {
     const Result<bool> isStyle = isStylePath(path);
     if (!isStyle) return report(isStyle.problems());
     Strands strands;
@@ -70,21 +74,6 @@ int info(const std::string& path, bool json) {
         printTable(path, summary);
     }
     return done;
-}
-
-}  // namespace
-
-void addInfo(CLI::App& program, int& status) {
-    struct Arguments {
-        std::string path;
-        bool json = false;
-    };
-    const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("info", "Count and measure the strands of a style or groom");
-    command->add_option("STYLE|GROOM", arguments->path, "A style (.toml) or a groom (.hair, .ply, .obj)")
-        ->required();
-    command->add_flag("--json", arguments->json, "Print JSON");
-    command->callback([arguments, &status] { status = info(arguments->path, arguments->json); });
 }
 
 }  // namespace kushi

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 #include "io/atomic_file.h"
 #include "progress.h"
 
 #include <kushi/groom_io.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 namespace kushi {
 
@@ -26,8 +26,9 @@ std::string lowerExtension(const std::string& path) {
 Result<bool> isStylePath(const std::string& path) {
     if (lowerExtension(path) == ".toml") return true;
     if (isGroomPath(path)) return false;
-    return Problem{"not a kind of file that Kushi reads; styles end in .toml, grooms in .hair, .ply or .obj",
-                   path};
+    return Problem{
+        "not a kind of file that Kushi reads; styles end in .toml, grooms in .hair, .ply or .obj",
+        path};
 }
 
 Result<SettledGroom> settleWithProgress(const Style& style, const std::string& path,
@@ -42,13 +43,16 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     Result<SettledGroom> groom = settle(style, options);
     if (groom) return groom;
     std::vector<Problem> problems = groom.problems();
-    for (Problem& problem : problems) problem.file = path;
+    for (Problem& problem : problems)
+        problem.file = path;
     return problems;
 }
 
-Status hasEnding(const std::string& path, const std::vector<std::string>& endings, const char* what) {
+Status hasEnding(const std::string& path, const std::vector<std::string>& endings,
+                 const char* what) {
     const std::string extension = lowerExtension(path);
-    if (std::find(endings.begin(), endings.end(), extension) != endings.end()) return std::monostate{};
+    if (std::find(endings.begin(), endings.end(), extension) != endings.end())
+        return std::monostate{};
     std::string list;
     for (const std::string& ending : endings) {
         list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + ending;

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include "commands.h"
 
 #include <kushi/settle.h>
 
-namespace kushi {
+#include <string>
+#include <vector>
 
-/// Flags that several commands share.
-struct SettleFlags {
-    std::optional<int> segments;
-    std::optional<std::size_t> count;
-    int threads = 0;
-    std::string method;
-};
+namespace kushi {
 
 /// Whether `path` names a style (.toml); neither style nor groom is a problem.
 Result<bool> isStylePath(const std::string& path);
@@ -25,7 +18,8 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
                                         const SettleFlags& flags, bool measurePenetration);
 
 /// Whether `path` ends in one of `endings` (".png"), and the problem if not.
-Status hasEnding(const std::string& path, const std::vector<std::string>& endings, const char* what);
+Status hasEnding(const std::string& path, const std::vector<std::string>& endings,
+                 const char* what);
 
 /// Writes the --report file, if there is one to write.
 Status writeReport(const std::string& path, const std::string& json);

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// The grammar of the command line, and nothing else.
 #include "commands.h"
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+namespace kushi {
 
 namespace {
 
 constexpr const char* description =
-    "Kushi makes hair: a short text file says where it grows, what it is made of, which forces comb it\n"
-    "and where it is cut; every hair is an elastic rod, and what you get is the whole head at rest.";
+    "Kushi makes hair: a short text file says where it grows, what it is made of, which forces "
+    "comb it\n"
+    "and where it is cut; every hair is an elastic rod, and what you get is the whole head at "
+    "rest.";
 
 constexpr const char* firstSteps =
     "First steps:\n"
@@ -20,6 +29,135 @@ constexpr const char* firstSteps =
     "\n"
     "Styles are TOML (docs/style-file.md); grooms are .hair, .ply or .obj (docs/formats.md).";
 
+constexpr const char* styleOrGroom = "A style (.toml) or a groom (.hair, .ply, .obj)";
+
+std::string checkMethod(const std::string& method) {
+    if (method == "cantilever") return {};
+    if (method == "equilibrium") {
+        return "equilibrium is not there yet for whole heads; leave it out or give cantilever";
+    }
+    return "no such method as '" + method + "'; give cantilever";
+}
+
+void addSettleFlags(CLI::App& command, SettleFlags& flags) {
+    command
+        .add_option("--count", flags.count,
+                    "Strands: fewer are an evenly spread subset of the style's own")
+        ->check(CLI::Range(1, 5000000));
+    command.add_option("--segments", flags.segments, "Segments per strand")
+        ->check(CLI::Range(1, 256));
+    command.add_option("--method", flags.method, "How to bend (only cantilever so far)")
+        ->check(checkMethod);
+    command.add_option("--threads", flags.threads, "Threads (as many as the machine has)")
+        ->check(CLI::Range(1, 1024));
+}
+
+// Every command's arguments, filled while parsing.
+struct Arguments {
+    std::string style, from, to, described;
+    bool json = false;
+    SettleArguments settle;
+    RenderArguments render;
+    RodArguments rod;
+};
+
+void addCheck(CLI::App& program, Arguments& arguments, int& status) {
+    CLI::App* command =
+        program.add_subcommand("check", "Say what is wrong with a style, and where");
+    command->add_option("STYLE", arguments.style, "The style file (.toml)")->required();
+    command->footer(
+        "Every problem is one line, FILE:LINE:COLUMN: error: ...; exit status 2 if there are any.");
+    command->callback([&] { status = runCheck(arguments.style); });
+}
+
+void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
+    CLI::App* command =
+        program.add_subcommand("settle", "Bring a style's hair to rest and write its strands");
+    command->add_option("STYLE", arguments.input, "The style file (.toml)")->required();
+    command
+        ->add_option("-o,--output", arguments.output, "Where to: .hair, .ply or .obj (centimetres)")
+        ->required();
+    addSettleFlags(*command, arguments.flags);
+    command->add_option("--report", arguments.reportPath,
+                        "Write counts, times and penetration as JSON");
+    command->footer(
+        "Example: kushi settle styles/fig10-bob.toml -o preview.ply --count 500\n"
+        "settles an evenly spread 500 of the bob's hairs.");
+    command->callback([&] { status = runSettle(arguments); });
+}
+
+void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
+    CLI::App* command = program.add_subcommand("render", "Draw a style or a groom");
+    command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
+    command->add_option("-o,--output", arguments.output, "The picture (.png)")->required();
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command
+        ->add_option("--supersample", arguments.supersample,
+                     "Samples per pixel along each axis; strands are one sample wide")
+        ->check(CLI::IsMember({1, 2, 4}))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--view", arguments.view,
+            "front, back, left, right, top, three-quarter, or YAW,PITCH in degrees (left: from the "
+            "person's left)")
+        ->capture_default_str();
+    addSettleFlags(*command, arguments.flags);
+    command->add_option("--report", arguments.reportPath, "Write counts and times as JSON");
+    command->footer(
+        "Examples:\n"
+        "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
+        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080");
+    command->callback([&] { status = runRender(arguments); });
+}
+
+void addConvert(CLI::App& program, Arguments& arguments, int& status) {
+    CLI::App* command = program.add_subcommand("convert", "Turn one strand format into another");
+    command->add_option("FROM", arguments.from, "A groom: .hair, .ply or .obj")->required();
+    command->add_option("TO", arguments.to, "A groom: .hair, .ply or .obj")->required();
+    command->footer("docs/formats.md says what each format keeps.");
+    command->callback([&] { status = runConvert(arguments.from, arguments.to); });
+}
+
+void addInfo(CLI::App& program, Arguments& arguments, int& status) {
+    CLI::App* command =
+        program.add_subcommand("info", "Count and measure the strands of a style or groom");
+    command->add_option("STYLE|GROOM", arguments.described, styleOrGroom)->required();
+    command->add_flag("--json", arguments.json, "Print JSON");
+    command->callback([&] { status = runInfo(arguments.described, arguments.json); });
+}
+
+void addRod(CLI::App& program, RodArguments& arguments, int& status) {
+    CLI::App* command = program.add_subcommand("rod", "Bend one clamped hair in its plane");
+    const auto number = [&](const char* name, double& value, const char* what, double least,
+                            double most) {
+        command->add_option(name, value, what)
+            ->check(CLI::Range(least, most))
+            ->capture_default_str();
+    };
+    number("--length", arguments.lengthCm, "cm", 1e-3, 1e4);
+    command->add_option("--segments", arguments.segments)
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    number("--rigidity", arguments.rigidity, "EI, N m2; the default is a hair of 75 micrometres",
+           1e-15, 1e12);
+    number("--weight", arguments.weight, "N per m", 0, 1e12);
+    number("--angle", arguments.angle, "Of the clamp above the horizontal, degrees", -180, 180);
+    number("--tip-load", arguments.tipLoad, "N, hung on the tip", 0, 1e12);
+    command
+        ->add_option("--method", arguments.method,
+                     "equilibrium (true rest) or cantilever (the paper's walk)")
+        ->check(CLI::IsMember({"equilibrium", "cantilever"}))
+        ->capture_default_str();
+    command->add_flag("--json", arguments.json, "Print JSON: unit, nodes as [x, y], residual");
+    command->footer(
+        "Examples:\n"
+        "  kushi rod --length 10                        how far ten centimetres of hair hang\n"
+        "  kushi rod --length 10 --method cantilever    the same by the walk of 1992\n"
+        "  kushi rod --length 8 --angle 90              stands; at 10 it buckles");
+    command->callback([&] { status = runRod(arguments); });
+}
+
 int runProgram(int argc, char** argv) {
     CLI::App program(description, "kushi");
     program.set_version_flag("--version", "kushi " KUSHI_VERSION, "Print the version and stop");
@@ -27,33 +165,37 @@ int runProgram(int argc, char** argv) {
     program.require_subcommand(1);
     program.get_formatter()->column_width(34);
 
-    int status = kushi::done;
-    kushi::addCheck(program, status);
-    kushi::addSettle(program, status);
-    kushi::addRender(program, status);
-    kushi::addConvert(program, status);
-    kushi::addInfo(program, status);
-    kushi::addRod(program, status);
+    int status = done;
+    Arguments arguments;
+    addCheck(program, arguments, status);
+    addSettle(program, arguments.settle, status);
+    addRender(program, arguments.render, status);
+    addConvert(program, arguments, status);
+    addInfo(program, arguments, status);
+    addRod(program, arguments.rod, status);
 
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help and --version
         std::fprintf(stderr, "kushi: error: %s (see kushi --help)\n", error.what());
-        return kushi::badInput;
+        return badInput;
     }
     return status;
 }
 
 }  // namespace
 
+}  // namespace kushi
+
 int main(int argc, char** argv) {
     // A full disk or a size limit is an error to report, not a signal to die from.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return runProgram(argc, argv);
+        return kushi::runProgram(argc, argv);
     } catch (const std::bad_alloc&) {
-        std::fputs("kushi: error: out of memory; try fewer strands (--count) or segments\n", stderr);
+        std::fputs("kushi: error: out of memory; try fewer strands (--count) or segments\n",
+                   stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "kushi: error: %s\n", error.what());
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "messages.h"
 
+#include "commands.h"
+
 #include <algorithm>
 #include <cstdio>
-
-#include "commands.h"
 
 namespace kushi {
 
@@ -19,7 +19,8 @@ int report(const std::vector<Problem>& problems) {
 
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
-    for (auto at = std::ssize(digits) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), 1, ',');
+    for (auto at = std::ssize(digits) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     return digits;
 }
 

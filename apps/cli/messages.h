@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/result.h>
+
 #include <string>
 #include <vector>
-
-#include <kushi/result.h>
 
 namespace kushi {
 

@@ -8,7 +8,7 @@ namespace kushi {
 
 /// A progress bar on standard error while it is a terminal; nothing otherwise. Gone when destroyed.
 class ProgressBar {
-   public:
+public:
     explicit ProgressBar(std::string title);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
@@ -17,7 +17,7 @@ class ProgressBar {
     /// From any thread; `share` in [0, 1].
     void show(double share);
 
-   private:
+private:
     std::string title_;
     bool onTerminal_;
     int lastPercent_ = -1;

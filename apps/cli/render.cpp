@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
-#include <memory>
-
 #include "commands.h"
 #include "input.h"
 #include "messages.h"
 #include "report.h"
-#include "settle_flags.h"
 
 #include <kushi/camera.h>
 #include <kushi/draw.h>
 #include <kushi/groom_io.h>
 #include <kushi/shade.h>
 
+#include <cstdio>
+
 namespace kushi {
 
 namespace {
-
-struct RenderArguments {
-    std::string input, output, reportPath;
-    std::string size = "1024x1024", view = "three-quarter";
-    int supersample = 4;
-    SettleFlags flags;
-};
 
 // What there is to draw.
 struct Scene {
@@ -38,7 +29,9 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     const bool good = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &read) == 2 &&
                       static_cast<std::size_t>(read) == text.size();
     if (!good || width < 1 || height < 1 || width > 16384 || height > 16384) {
-        return Problem{"--size is WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1024x1024; got '" + text + "'"};
+        return Problem{
+            "--size is WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1024x1024; got '" + text +
+            "'"};
     }
     return std::pair(width, height);
 }
@@ -51,8 +44,8 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
         const Result<Style> style = readStyle(arguments.input);
         if (!style) return style.problems();
         clock.end("read");
-        const Result<SettledGroom> groom = settleWithProgress(*style, arguments.input, arguments.flags,
-                                                              !arguments.reportPath.empty());
+        const Result<SettledGroom> groom = settleWithProgress(
+            *style, arguments.input, arguments.flags, !arguments.reportPath.empty());
         if (!groom) return groom.problems();
         scene.strands = withInnerPieces(*groom);
         scene.head = headOf(*style);
@@ -61,7 +54,8 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
         return scene;
     }
     if (arguments.flags.count || arguments.flags.segments || !arguments.flags.method.empty()) {
-        return Problem{"--count, --segments and --method are for styles; a groom is drawn as it is", arguments.input};
+        return Problem{"--count, --segments and --method are for styles; a groom is drawn as it is",
+                       arguments.input};
     }
     Result<Strands> strands = readGroom(arguments.input);
     if (!strands) return strands.problems();
@@ -74,13 +68,15 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
 
 Bounds boundsOf(const Scene& scene) {
     Bounds bounds = boundsOf(scene.strands.nodes);
-    for (const Vec3f vertex : scene.head.vertices) bounds.include(vertex);
+    for (const Vec3f vertex : scene.head.vertices)
+        bounds.include(vertex);
     return bounds;
 }
 
 Image drawScene(Scene& scene, const RenderArguments& arguments, View view, std::pair<int, int> size,
                 StageClock& clock) {
-    const Camera camera = frame(boundsOf(scene), view, static_cast<double>(size.first) / size.second);
+    const Camera camera =
+        frame(boundsOf(scene), view, static_cast<double>(size.first) / size.second);
     const Lights lights = studioLights();
     std::vector<Rgb> colors(scene.strands.nodes.size());
     shade(scene.strands, lights, HairLook{}, camera.eye, colors, arguments.flags.threads);
@@ -97,7 +93,9 @@ Image drawScene(Scene& scene, const RenderArguments& arguments, View view, std::
     return image;
 }
 
-int render(const RenderArguments& arguments) {
+}  // namespace
+
+int runRender(const RenderArguments& arguments) {
     const Result<std::pair<int, int>> size = parseSize(arguments.size);
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
@@ -110,42 +108,16 @@ int render(const RenderArguments& arguments) {
     Result<Scene> scene = loadScene(arguments, clock);
     if (!scene) return report(scene.problems());
     const Image image = drawScene(*scene, arguments, *view, *size, clock);
-    if (const Status written = writePng(image, arguments.output); !written) return report(written.problems());
+    if (const Status written = writePng(image, arguments.output); !written)
+        return report(written.problems());
     clock.end("write");
-    if (const Status written = writeReport(arguments.reportPath, reportJson(scene->report, clock)); !written) {
+    if (const Status written = writeReport(arguments.reportPath, reportJson(scene->report, clock));
+        !written) {
         return report(written.problems());
     }
-    std::printf("%s: %s strands (%s)\n", arguments.output.c_str(), grouped(scene->strands.size()).c_str(),
-                timesLine(clock).c_str());
+    std::printf("%s: %s strands (%s)\n", arguments.output.c_str(),
+                grouped(scene->strands.size()).c_str(), timesLine(clock).c_str());
     return done;
-}
-
-}  // namespace
-
-void addRender(CLI::App& program, int& status) {
-    const auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = program.add_subcommand("render", "Draw a style or a groom");
-    command->add_option("STYLE|GROOM", arguments->input, "A style (.toml) or a groom (.hair, .ply, .obj)")
-        ->required();
-    command->add_option("-o,--output", arguments->output, "The picture (.png)")->required();
-    command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--supersample", arguments->supersample,
-                     "Samples per pixel along each axis; strands are one sample wide")
-        ->check(CLI::IsMember({1, 2, 4}))
-        ->capture_default_str();
-    command
-        ->add_option("--view", arguments->view,
-                     "front, back, left, right, top, three-quarter, or YAW,PITCH in degrees (left: from the "
-                     "person's left)")
-        ->capture_default_str();
-    addSettleFlags(*command, arguments->flags);
-    command->add_option("--report", arguments->reportPath, "Write counts and times as JSON");
-    command->footer(
-        "Examples:\n"
-        "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
-        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080");
-    command->callback([arguments, &status] { status = render(*arguments); });
 }
 
 }  // namespace kushi

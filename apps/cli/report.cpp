@@ -21,7 +21,8 @@ void StageClock::add(const std::vector<StageTime>& stages) {
 
 double StageClock::total() const {
     double sum = 0;
-    for (const StageTime& stage : stages_) sum += stage.milliseconds;
+    for (const StageTime& stage : stages_)
+        sum += stage.milliseconds;
     return sum;
 }
 
@@ -29,7 +30,8 @@ std::string reportJson(const SettleReport& report, const StageClock& clock) {
     nlohmann::ordered_json json;
     json["strands"] = report.strands;
     json["segments"] = report.segments;
-    for (const StageTime& stage : clock.stages()) json["wall_ms"][stage.stage] = stage.milliseconds;
+    for (const StageTime& stage : clock.stages())
+        json["wall_ms"][stage.stage] = stage.milliseconds;
     json["wall_ms"]["total"] = clock.total();
     json["max_penetration_cm"] = nullptr;
     if (report.maxPenetration) json["max_penetration_cm"] = 100 * *report.maxPenetration;
@@ -43,8 +45,8 @@ std::string timesLine(const StageClock& clock) {
     std::string line;
     for (const StageTime& stage : clock.stages()) {
         char text[64];
-        std::snprintf(text, sizeof text, "%s%s %.0f ms", line.empty() ? "" : ", ", stage.stage.c_str(),
-                      stage.milliseconds);
+        std::snprintf(text, sizeof text, "%s%s %.0f ms", line.empty() ? "" : ", ",
+                      stage.stage.c_str(), stage.milliseconds);
         line += text;
     }
     return line;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/settle.h>
+
 #include <chrono>
 #include <string>
 #include <vector>
-
-#include <kushi/settle.h>
 
 namespace kushi {
 
 /// How long each stage of a command took.
 class StageClock {
-   public:
+public:
     /// Ends the stage that began where the last one ended.
     void end(const std::string& stage);
     /// Adds stages timed elsewhere, which took the time since the last one ended.
@@ -20,7 +20,7 @@ class StageClock {
     /// Milliseconds in all.
     double total() const;
 
-   private:
+private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
     std::vector<StageTime> stages_;
 };

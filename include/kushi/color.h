@@ -8,10 +8,10 @@ struct Rgb {
     float r = 0, g = 0, b = 0;
 
     friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
-    friend constexpr Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-    friend constexpr Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-    friend constexpr Rgb operator*(Rgb a, float s) { return {a.r * s, a.g * s, a.b * s}; }
-    friend constexpr Rgb operator*(float s, Rgb a) { return a * s; }
+    friend constexpr Rgb operator+(Rgb p, Rgb q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+    friend constexpr Rgb operator*(Rgb p, Rgb q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
+    friend constexpr Rgb operator*(Rgb p, float s) { return {p.r * s, p.g * s, p.b * s}; }
+    friend constexpr Rgb operator*(float s, Rgb p) { return p * s; }
     constexpr Rgb& operator+=(Rgb other) { return *this = *this + other; }
 };
 

@@ -29,8 +29,8 @@ struct Follicles {
 /// test the place where that has put it. For a `count` the spacing is searched, and the few follicles
 /// in excess are taken out evenly: the number is met exactly.
 ///
-/// Refuses a spacing that asks for more than 20,000,000 places on the whole ellipsoid, and a count
-/// that would need one.
+/// Refuses what asks for more than 5,000,000 follicles, or for so little spacing that the whole
+/// ellipsoid would bear more than 20,000,000.
 Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed);
 
 /// Keeps `count` follicles spread evenly (all, if there are no more), in their former order. What is

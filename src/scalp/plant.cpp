@@ -15,6 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double mostSites = 20e6;
+constexpr std::size_t mostFollicles = 5000000;
 
 enum Salt : std::uint64_t { RowPhase = 1, JitterTheta = 2, JitterPhi = 3 };
 
@@ -87,8 +88,8 @@ double surfaceArea(const Ellipsoid& ellipsoid) {
 }
 
 Problem tooMany() {
-    return {"the scalp asks for more than 20,000,000 follicles on the whole ellipsoid; "
-            "give a larger spacing, a smaller count or wider regions"};
+    return {"the scalp asks for more than 5,000,000 follicles, or 20,000,000 if the whole ellipsoid bore "
+            "hair; give a larger spacing, a smaller count or wider regions"};
 }
 
 // The follicles at the largest spacing found that gives at least `count`, and the surplus taken out.
@@ -123,7 +124,9 @@ Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed) {
     if (scalp.count) return plantCount(scalp, meridian, static_cast<std::size_t>(*scalp.count), seed);
     const double spacing = *scalp.spacing;
     if (surfaceArea(scalp.ellipsoid) / (spacing * spacing) > mostSites) return tooMany();
-    return plantWithSpacing(scalp, meridian, spacing, seed);
+    Follicles planted = plantWithSpacing(scalp, meridian, spacing, seed);
+    if (planted.size() > mostFollicles) return tooMany();
+    return planted;
 }
 
 }  // namespace kushi

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "style/read_number.h"
 #include "style/read_parts.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ void readNamedDirection(const TableReader& table, Force& force) {
 }
 
 void readVectorDirection(const TableReader& table, const Node& node, Force& force) {
-    const auto vector = readVector(node, "direction", quantities::direction, table.context());
+    const auto vector =
+        readVector(node, "direction", quantities::direction, table.context().problems);
     if (!vector) return;
     const double largest =
         std::max({std::abs(vector->x), std::abs(vector->y), std::abs(vector->z)});
@@ -87,8 +89,8 @@ std::optional<Cut::Keep> readPair(const Node& node, double last, ReadContext& co
                                     "a pair of cm, [height of the root, length left]");
         return std::nullopt;
     }
-    const auto y = readNumber(node.items[0], "keep", quantities::place, context);
-    const auto length = readNumber(node.items[1], "keep", quantities::lengthLeft, context);
+    const auto y = readNumber(node.items[0], "keep", quantities::place, context.problems);
+    const auto length = readNumber(node.items[1], "keep", quantities::lengthLeft, context.problems);
     if (!y || !length) return std::nullopt;
     if (*y <= last) {
         context.problems.unexpected("keep", node.items[0], "heights in ascending order");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "style/read_number.h"
 #include "style/read_parts.h"
 #include "style/spelling.h"
 
@@ -16,7 +17,7 @@ std::optional<double> readEnd(const Node& node, std::string_view name, const Qua
     if (ends == Ends::MayBeInfinite && node.kind == Kind::Float && std::isinf(node.number())) {
         return node.number();
     }
-    return readNumber(node, name, quantity, context);
+    return readNumber(node, name, quantity, context.problems);
 }
 
 std::optional<Range> readRange(const Node& node, std::string_view name, const Quantity& quantity,

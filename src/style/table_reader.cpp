@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/table_reader.h"
 
-#include "style/spelling.h"
+#include "style/read_number.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace kushi {
 
@@ -22,43 +21,6 @@ std::string listed(std::span<const std::string_view> names, char quote) {
         text += quote + std::string(names[i]) + quote;
     }
     return text;
-}
-
-std::string expectedNumber(const Quantity& quantity) {
-    std::string text =
-        "a number from " + plainNumber(quantity.low) + " to " + plainNumber(quantity.high);
-    if (!quantity.unit.empty()) text += ' ' + std::string(quantity.unit);
-    return text;
-}
-
-bool holds(const Quantity& quantity, double value) {
-    return value >= quantity.low && value <= quantity.high;
-}
-
-// What a number out of range would be, had it been meant in another unit.
-std::string unitHint(const Quantity& quantity, double value, const std::string& spelled) {
-    for (const Quantity::Mistaken& other : quantity.mistaken) {
-        const double meant = value * other.size;
-        if (other.unit.empty() || !holds(quantity, meant)) continue;
-        return spelled + ' ' + std::string(other.unit) + " would be " + plainNumber(meant);
-    }
-    return {};
-}
-
-void reportString(const Node& node, std::string_view name, const Quantity& quantity,
-                  ReadContext& context) {
-    const std::string& text = node.string();
-    if (isLandmark(text)) {
-        context.problems.add(node.begin, std::string(name) + ": \"" + text +
-                                             "\" is a landmark of the head, which this version "
-                                             "does not have yet; give " +
-                                             expectedNumber(quantity));
-        return;
-    }
-    const bool looksNumeric =
-        !text.empty() && std::string_view("+-.0123456789").find(text[0]) != std::string_view::npos;
-    context.problems.unexpected(name, node, expectedNumber(quantity),
-                                looksNumeric ? "numbers stand without quotes and units" : "");
 }
 
 bool knows(const TableKeys& table, std::string_view key) {
@@ -86,38 +48,6 @@ std::string atTop(std::string_view label) {
 
 std::string ReadContext::label(const TableKeys& table) const {
     return partAtTop ? atTop(table.label) : std::string(table.label);
-}
-
-std::optional<double> readNumber(const Node& node, std::string_view name, const Quantity& quantity,
-                                 ReadContext& context) {
-    if (node.kind == Kind::String) {
-        reportString(node, name, quantity, context);
-        return std::nullopt;
-    }
-    if (!node.isNumber()) {
-        context.problems.unexpected(name, node, expectedNumber(quantity));
-        return std::nullopt;
-    }
-    const double value = node.number();
-    if (!holds(quantity, value)) {  // nor does it hold what is not a number
-        context.problems.unexpected(name, node, expectedNumber(quantity),
-                                    unitHint(quantity, value, context.problems.source(node)));
-        return std::nullopt;
-    }
-    return quantity.toSi(value);
-}
-
-std::optional<Vec3d> readVector(const Node& node, std::string_view name, const Quantity& quantity,
-                                ReadContext& context) {
-    if (node.kind != Kind::Array || node.items.size() != 3) {
-        context.problems.unexpected(name, node, "an array of 3, each " + expectedNumber(quantity));
-        return std::nullopt;
-    }
-    const auto x = readNumber(node.items[0], name, quantity, context);
-    const auto y = readNumber(node.items[1], name, quantity, context);
-    const auto z = readNumber(node.items[2], name, quantity, context);
-    if (!x || !y || !z) return std::nullopt;
-    return Vec3d{*x, *y, *z};
 }
 
 TableReader::TableReader(const Node& table, const TableKeys& known, ReadContext& context)
@@ -179,18 +109,18 @@ void TableReader::requireOne(std::string_view first, std::string_view second,
 
 void TableReader::number(std::string_view key, const Quantity& quantity, double& out) const {
     const Node* value = find(key);
-    if (value != nullptr) out = readNumber(*value, key, quantity, context_).value_or(out);
+    if (value != nullptr) out = readNumber(*value, key, quantity, context_.problems).value_or(out);
 }
 
 void TableReader::number(std::string_view key, const Quantity& quantity,
                          std::optional<double>& out) const {
     const Node* value = find(key);
-    if (value != nullptr) out = readNumber(*value, key, quantity, context_);
+    if (value != nullptr) out = readNumber(*value, key, quantity, context_.problems);
 }
 
 void TableReader::vector(std::string_view key, const Quantity& quantity, Vec3d& out) const {
     const Node* value = find(key);
-    if (value != nullptr) out = readVector(*value, key, quantity, context_).value_or(out);
+    if (value != nullptr) out = readVector(*value, key, quantity, context_.problems).value_or(out);
 }
 
 void TableReader::text(std::string_view key, std::string& out) const {

@@ -27,12 +27,6 @@ struct ReadContext {
     std::string label(const TableKeys& table) const;
 };
 
-// Values, in SI. What is wrong is reported once, under `name`, and gives nothing.
-std::optional<double> readNumber(const Node& node, std::string_view name, const Quantity& quantity,
-                                 ReadContext& context);
-std::optional<Vec3d> readVector(const Node& node, std::string_view name, const Quantity& quantity,
-                                ReadContext& context);
-
 /// Reads one table of the document, reporting what is wrong with it, in the words of its keys.
 ///
 /// The functions that take a reference leave it as it is where the key is missing or wrong: the

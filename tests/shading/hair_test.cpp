@@ -117,7 +117,7 @@ TEST(Shade, HasTheHalfWidthsOfBlinnOnACylinder) {
 }
 
 TEST(Shade, IsAsWideAsKajiyaAndKayWithAQuarterOfTheExponent) {
-    for (double delta = 0; delta <= 15; delta += 0.5) {
+    for (int delta = 0; delta <= 15; ++delta) {
         const double kajiyaKay = std::pow(std::cos(radians(delta)), 20);
         EXPECT_NEAR(highlight(5, delta - 5, 0, 80), kajiyaKay, 4e-3) << delta;
     }

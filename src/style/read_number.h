@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "style/diagnostics.h"
+#include "style/document.h"
+#include "style/quantity.h"
+
+#include <kushi/vec.h>
+
+#include <optional>
+#include <string_view>
+
+namespace kushi {
+
+/// A number of the document in SI. One that is none or out of range is reported once, under `name`,
+/// and gives nothing.
+std::optional<double> readNumber(const Node& node, std::string_view name, const Quantity& quantity,
+                                 Diagnostics& problems);
+
+/// The same for an array of three.
+std::optional<Vec3d> readVector(const Node& node, std::string_view name, const Quantity& quantity,
+                                Diagnostics& problems);
+
+}  // namespace kushi

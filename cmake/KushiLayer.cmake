@@ -36,5 +36,6 @@ function(kushi_test layer)
   target_compile_definitions(${layer}_tests PRIVATE KUSHI_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${layer}_tests PRIVATE kushi_${layer} kushi_options GTest::gmock
                                                GTest::gtest_main)
-  gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 300)
 endfunction()

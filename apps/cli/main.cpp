@@ -3,6 +3,7 @@
 // The grammar of the command line, and nothing else.
 #include "commands.h"
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -37,6 +38,18 @@ std::string checkMethod(const std::string& method) {
         return "equilibrium is not there yet for whole heads; leave it out or give cantilever";
     }
     return "no such method as '" + method + "'; give cantilever";
+}
+
+// CLI11's own Range lets "nan" through.
+auto between(double least, double most) {
+    return [least, most](const std::string& text) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+        std::array<char, 128> message{};
+        std::snprintf(message.data(), message.size(), "'%.40s' is not a number from %g to %g",
+                      text.c_str(), least, most);
+        return message.data();
+    };
 }
 
 void addSettleFlags(CLI::App& command, SettleFlags& flags) {
@@ -131,9 +144,7 @@ void addRod(CLI::App& program, RodArguments& arguments, int& status) {
     CLI::App* command = program.add_subcommand("rod", "Bend one clamped hair in its plane");
     const auto number = [&](const char* name, double& value, const char* what, double least,
                             double most) {
-        command->add_option(name, value, what)
-            ->check(CLI::Range(least, most))
-            ->capture_default_str();
+        command->add_option(name, value, what)->check(between(least, most))->capture_default_str();
     };
     number("--length", arguments.lengthCm, "cm", 1e-3, 1e4);
     command->add_option("--segments", arguments.segments)

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include <kushi/style.h>
+
+#include <span>
 
 namespace kushi {
 
 /// One clamped strand, straight before it is bent.
 struct CantileverRod {
-    Vec3d root;             ///< m
-    Vec3d direction;        ///< unit
-    double length = 0;      ///< m, > 0
-    double rigidity = 0;    ///< EI [N m2], > 0
-    double weight = 0;      ///< w, per unit length [N/m], > 0
+    Vec3d root;           ///< m
+    Vec3d direction;      ///< unit
+    double length = 0;    ///< m, > 0
+    double rigidity = 0;  ///< EI [N m2], > 0
+    double weight = 0;    ///< w, per unit length [N/m], > 0
 };
 
-/// A force that holds a strand's root, with the share that the softened edge of its root range gives.
+/// A force that holds a strand's root, with the share that the softened edge of its root range
+/// gives.
 struct ActiveForce {
     const Force* force = nullptr;
     double rootShare = 1;
@@ -24,10 +25,10 @@ struct ActiveForce {
 
 /// What acts on a strand.
 struct CantileverWorld {
-    Vec3d gravity = {0, -1, 0};              ///< times the earth's
+    Vec3d gravity = {0, -1, 0};  ///< times the earth's
     std::span<const ActiveForce> forces = {};
-    Vec3d tipLoad;                           ///< dead load at the last node [N]
-    const Ellipsoid* obstacle = nullptr;     ///< kept outside of; none if null
+    Vec3d tipLoad;                        ///< dead load at the last node [N]
+    const Ellipsoid* obstacle = nullptr;  ///< kept outside of; none if null
     int avoidanceSteps = 4;
 };
 
@@ -37,11 +38,11 @@ Vec3d loadAt(const CantileverWorld& world, Vec3d point);
 /// Bends a strand in one walk from root to tip (Usami & Anjyo 1992, 2.2, figures 2 to 4).
 ///
 /// Each segment of length d = L/n is a small cantilever: its end moves across its axis by
-/// y = M d^2 / (2 EI) (eq. 2) in the two directions normal to it, where M is the mean of the bending
-/// moments at the segment's two ends under the loads beyond, taken as if the strand went on straight;
-/// then the segment is set back to its length. A segment whose end would lie inside the obstacle is
-/// turned out of it (avoid). The walk goes along chords, so that in small deflection it bends half as
-/// far as a beam; it reproduces the paper and is no equilibrium.
+/// y = M d^2 / (2 EI) (eq. 2) in the two directions normal to it, where M is the mean of the
+/// bending moments at the segment's two ends under the loads beyond, taken as if the strand went on
+/// straight; then the segment is set back to its length. A segment whose end would lie inside the
+/// obstacle is turned out of it (avoid). The walk goes along chords, so that in small deflection it
+/// bends half as far as a beam; it reproduces the paper and is no equilibrium.
 ///
 /// nodes  n + 1 of them, n >= 1; overwritten, root first [m]
 void bendCantilever(const CantileverRod& rod, const CantileverWorld& world, std::span<Vec3d> nodes);

@@ -14,9 +14,9 @@ struct EllipsoidAngles {
 
 /// The surface from which hair grows and which it avoids (Usami & Anjyo 1992, 2.3, figure 5).
 struct Ellipsoid {
-    Vec3d center;          ///< m
-    Vec3d semiAxes;        ///< a, b, c along x', y', z' [m], each > 0
-    double rotateZ = 0;    ///< about z [rad]; > 0 tips the y' axis backwards, towards -x
+    Vec3d center;        ///< m
+    Vec3d semiAxes;      ///< a, b, c along x', y', z' [m], each > 0
+    double rotateZ = 0;  ///< about z [rad]; > 0 tips the y' axis backwards, towards -x
 
     /// World point to the primed axes, centred.
     Vec3d toLocal(Vec3d world) const;

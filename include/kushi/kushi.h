@@ -2,20 +2,20 @@
 #pragma once
 
 // Everything, in the order of the data's way.
-#include <kushi/result.h>
-#include <kushi/vec.h>
-#include <kushi/color.h>
-#include <kushi/ellipsoid.h>
-#include <kushi/mesh.h>
-#include <kushi/head.h>
-#include <kushi/strands.h>
-#include <kushi/style.h>
-#include <kushi/follicles.h>
+#include <kushi/camera.h>
 #include <kushi/cantilever.h>
+#include <kushi/color.h>
+#include <kushi/draw.h>
+#include <kushi/ellipsoid.h>
+#include <kushi/follicles.h>
+#include <kushi/groom_io.h>
+#include <kushi/head.h>
+#include <kushi/image.h>
+#include <kushi/mesh.h>
 #include <kushi/planar_rod.h>
+#include <kushi/result.h>
 #include <kushi/settle.h>
 #include <kushi/shade.h>
-#include <kushi/camera.h>
-#include <kushi/draw.h>
-#include <kushi/image.h>
-#include <kushi/groom_io.h>
+#include <kushi/strands.h>
+#include <kushi/style.h>
+#include <kushi/vec.h>

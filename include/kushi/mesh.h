@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/color.h>
+#include <kushi/ellipsoid.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include <kushi/color.h>
-#include <kushi/ellipsoid.h>
 
 namespace kushi {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/style.h>
+
 #include <array>
 #include <vector>
-
-#include <kushi/style.h>
 
 namespace kushi {
 
@@ -25,11 +25,11 @@ struct PlanarShape {
 
 /// The rod's shape with n >= 1 equal segments.
 ///
-/// Equilibrium: the stationary point of bending + gravity energy over the tangent angle at each node,
-/// with chords along the mean of their two tangents and the weight of each segment at its middle; the
-/// one reached from the straight rod as the loads grow from zero. An upright rod that buckles falls
-/// forward. Cantilever: bendCantilever (Usami & Anjyo 1992), whose residual tells how far it is from
-/// rest.
+/// Equilibrium: the stationary point of bending + gravity energy over the tangent angle at each
+/// node, with chords along the mean of their two tangents and the weight of each segment at its
+/// middle; the one reached from the straight rod as the loads grow from zero. An upright rod that
+/// buckles falls forward. Cantilever: bendCantilever (Usami & Anjyo 1992), whose residual tells how
+/// far it is from rest.
 PlanarShape bendPlanarRod(const PlanarRod& rod, int segments, Method method);
 
 }  // namespace kushi

@@ -11,10 +11,10 @@ namespace kushi {
 /// Something a user can mend: a sentence, and where it applies when that is known.
 struct Problem {
     std::string message = {};  ///< what was found and what was expected, without a final full stop
-    std::string file = {};  ///< path as the user gave it; empty if none
-    int line = 0;         ///< from 1; 0 if unknown
-    int column = 0;       ///< from 1, in characters; 0 if unknown
-    bool system = false;  ///< the machine's fault (a full disk), not the input's
+    std::string file = {};     ///< path as the user gave it; empty if none
+    int line = 0;              ///< from 1; 0 if unknown
+    int column = 0;            ///< from 1, in characters; 0 if unknown
+    bool system = false;       ///< the machine's fault (a full disk), not the input's
 };
 
 /// "file:line:column: error: message", leaving out what is unknown.
@@ -23,7 +23,7 @@ std::string toString(const Problem& problem);
 /// A value, or at least one problem. Nothing in the library throws across its border.
 template <class T>
 class [[nodiscard]] Result {
-   public:
+public:
     Result(T value) : state_(std::move(value)) {}
     Result(Problem problem) : state_(std::vector<Problem>{std::move(problem)}) {}
     Result(std::vector<Problem> problems) : state_(std::move(problems)) {}
@@ -46,7 +46,7 @@ class [[nodiscard]] Result {
         return *std::get_if<std::vector<Problem>>(&state_);
     }
 
-   private:
+private:
     std::variant<T, std::vector<Problem>> state_;
 };
 

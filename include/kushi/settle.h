@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/mesh.h>
+#include <kushi/result.h>
+#include <kushi/strands.h>
+#include <kushi/style.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <kushi/mesh.h>
-#include <kushi/result.h>
-#include <kushi/strands.h>
-#include <kushi/style.h>
 
 namespace kushi {
 
@@ -34,8 +34,8 @@ struct SettleReport {
     std::size_t strands = 0;
     std::size_t segments = 0;  ///< in all
     std::vector<StageTime> stages;
-    /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps nodes
-    /// outside, not what lies between them.
+    /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps
+    /// nodes outside, not what lies between them.
     std::optional<double> maxPenetration;
 };
 
@@ -48,7 +48,8 @@ struct SettledGroom {
     SettleReport report;
 };
 
-/// Style -> follicles -> rods -> cuts. The same style gives the same bytes from any number of threads.
+/// Style -> follicles -> rods -> cuts. The same style gives the same bytes from any number of
+/// threads.
 ///
 /// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
 /// anew. Parts share it in proportion to what they have. Where hide cuts leave nothing of a strand

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/color.h>
+#include <kushi/vec.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,9 +12,6 @@
 #include <string>
 #include <vector>
 
-#include <kushi/color.h>
-#include <kushi/vec.h>
-
 namespace kushi {
 
 /// A groom: polylines, each from root to tip, one after the other.
@@ -19,7 +19,7 @@ namespace kushi {
 /// Strand i owns the nodes [offsets[i], offsets[i + 1]). Attributes are either empty or complete.
 /// A strand of a single node (a bald follicle in some data sets) is allowed and has length 0.
 struct Strands {
-    std::vector<Vec3f> nodes;                 ///< m; a strand's first node is its follicle
+    std::vector<Vec3f> nodes;                  ///< m; a strand's first node is its follicle
     std::vector<std::uint32_t> offsets = {0};  ///< size() + 1 of them
 
     std::vector<std::uint64_t> keys;  ///< per strand: the follicle's identity, or empty

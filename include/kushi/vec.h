@@ -58,7 +58,11 @@ bool isFinite(Vec3<T> a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-constexpr double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
-constexpr double degrees(double radians) { return radians * (180 / std::numbers::pi); }
+constexpr double radians(double degrees) {
+    return degrees * (std::numbers::pi / 180);
+}
+constexpr double degrees(double radians) {
+    return radians * (180 / std::numbers::pi);
+}
 
 }  // namespace kushi

@@ -15,9 +15,11 @@ Vec3d normalPart(Vec3d v, Vec3d axis) {
     return dot(part, part) > 1e-18 * dot(v, v) ? normalized(part) : Vec3d{};
 }
 
-// Unit vector normal to `direction` in the plane to turn in, on the side of the axis before -> from.
+// Unit vector normal to `direction` in the plane to turn in, on the side of the axis before ->
+// from.
 Vec3d turningSide(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d direction) {
-    for (const Vec3d other : {from - before, obstacle.normal(from), Vec3d{0, 1, 0}, Vec3d{1, 0, 0}}) {
+    for (const Vec3d other :
+         {from - before, obstacle.normal(from), Vec3d{0, 1, 0}, Vec3d{1, 0, 0}}) {
         const Vec3d side = normalPart(other, direction);
         if (dot(side, side) > 0) return side;
     }
@@ -28,14 +30,17 @@ Vec3d turningSide(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d dir
 int lastingSteps(const Ellipsoid& obstacle, Vec3d from, Vec3d along, Vec3d aside, int steps) {
     double angle = std::numbers::pi / 2;
     for (int step = 0; step < steps; ++step, angle /= 2) {
-        if (isInside(obstacle, from + std::cos(angle) * along + std::sin(angle) * aside)) return step;
+        if (isInside(obstacle, from + std::cos(angle) * along + std::sin(angle) * aside))
+            return step;
     }
     return steps;
 }
 
 }  // namespace
 
-bool isInside(const Ellipsoid& obstacle, Vec3d point) { return obstacle.implicit(point) < -1e-6; }
+bool isInside(const Ellipsoid& obstacle, Vec3d point) {
+    return obstacle.implicit(point) < -1e-6;
+}
 
 Vec3d avoid(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d to, int steps) {
     const Vec3d along = to - from;

@@ -22,13 +22,17 @@ namespace {
 void runPieces(std::size_t pieces, int threads, const std::function<void(std::size_t)>& run) {
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
-        for (std::size_t i = next++; i < pieces; i = next++) run(i);
+        for (std::size_t i = next++; i < pieces; i = next++)
+            run(i);
     };
     std::vector<std::thread> others;
-    const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-    for (int i = 1; i < wanted; ++i) others.emplace_back(work);
+    const int wanted =
+        threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+    for (int i = 1; i < wanted; ++i)
+        others.emplace_back(work);
     work();
-    for (std::thread& other : others) other.join();
+    for (std::thread& other : others)
+        other.join();
 }
 
 #else
@@ -51,7 +55,8 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
         body(piece * grain, std::min(count, (piece + 1) * grain));
     };
     if (threads == 1 || pieces <= 1) {
-        for (std::size_t i = 0; i < pieces; ++i) run(i);
+        for (std::size_t i = 0; i < pieces; ++i)
+            run(i);
     } else {
         runPieces(pieces, threads, run);
     }

@@ -24,7 +24,8 @@ constexpr std::uint64_t mixKey(std::uint64_t key, std::uint64_t salt) {
 /// The key of a text (FNV-1a).
 constexpr std::uint64_t textKey(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    for (const char c : text)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     return hash;
 }
 
@@ -34,6 +35,8 @@ constexpr double uniform(std::uint64_t key) {
 }
 
 /// Uniform in [-1, 1).
-constexpr double uniformSigned(std::uint64_t key) { return 2 * uniform(key) - 1; }
+constexpr double uniformSigned(std::uint64_t key) {
+    return 2 * uniform(key) - 1;
+}
 
 }  // namespace kushi

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/ellipsoid.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <kushi/ellipsoid.h>
 
 namespace kushi {
 
 namespace {
 
-Vec3d divide(Vec3d a, Vec3d b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
-Vec3d multiply(Vec3d a, Vec3d b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+Vec3d divide(Vec3d a, Vec3d b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+Vec3d multiply(Vec3d a, Vec3d b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 
 Vec3d rotateAboutZ(Vec3d v, double angle) {
     const double c = std::cos(angle);
@@ -19,9 +23,13 @@ Vec3d rotateAboutZ(Vec3d v, double angle) {
 
 }  // namespace
 
-Vec3d Ellipsoid::toLocal(Vec3d world) const { return rotateAboutZ(world - center, -rotateZ); }
+Vec3d Ellipsoid::toLocal(Vec3d world) const {
+    return rotateAboutZ(world - center, -rotateZ);
+}
 
-Vec3d Ellipsoid::toWorldDirection(Vec3d local) const { return rotateAboutZ(local, rotateZ); }
+Vec3d Ellipsoid::toWorldDirection(Vec3d local) const {
+    return rotateAboutZ(local, rotateZ);
+}
 
 Vec3d Ellipsoid::point(EllipsoidAngles at) const {
     const Vec3d unit = {std::sin(at.theta) * std::cos(at.phi), std::cos(at.theta),
@@ -47,9 +55,11 @@ Vec3d Ellipsoid::normal(Vec3d world) const {
     return size > 0 ? toWorldDirection(gradient) / size : Vec3d{0, 1, 0};
 }
 
-// The nearest surface point x of an inner point p satisfies x_k = r_k^2 p_k / (r_k^2 + t) for the t in
+// The nearest surface point x of an inner point p satisfies x_k = r_k^2 p_k / (r_k^2 + t) for the t
+// in
 // (-min r^2, 0] that puts x on the surface; the condition falls monotonically in t, so bisection
-// finds it (Eberly, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid", 2013).
+// finds it (Eberly, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid",
+// 2013).
 double Ellipsoid::depth(Vec3d world) const {
     if (implicit(world) >= 0) return 0;
     const Vec3d p = toLocal(world);

@@ -8,7 +8,8 @@ void computeNormals(Mesh& mesh) {
     for (const auto& [a, b, c] : mesh.triangles) {
         const Vec3f origin = mesh.vertices[a];
         const Vec3f twiceArea = cross(mesh.vertices[b] - origin, mesh.vertices[c] - origin);
-        for (const std::uint32_t corner : {a, b, c}) mesh.normals[corner] += twiceArea;
+        for (const std::uint32_t corner : {a, b, c})
+            mesh.normals[corner] += twiceArea;
     }
     for (Vec3f& normal : mesh.normals) {
         const float size = length(normal);

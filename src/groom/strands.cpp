@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <kushi/strands.h>
+
+#include <algorithm>
 
 namespace kushi {
 
@@ -26,7 +26,8 @@ void Bounds::include(Vec3f point) {
 
 Bounds boundsOf(std::span<const Vec3f> points) {
     Bounds bounds;
-    for (const Vec3f point : points) bounds.include(point);
+    for (const Vec3f point : points)
+        bounds.include(point);
     return bounds;
 }
 

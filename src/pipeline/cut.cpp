@@ -22,8 +22,8 @@ std::optional<double> lengthAbove(double height, std::span<const Vec3d> nodes) {
 }
 
 double lengthKeptAt(const std::vector<Cut::Keep>& keep, double y) {
-    const auto above = std::find_if(keep.begin(), keep.end(),
-                                    [y](const Cut::Keep& pair) { return pair.y >= y; });
+    const auto above =
+        std::find_if(keep.begin(), keep.end(), [y](const Cut::Keep& pair) { return pair.y >= y; });
     if (above == keep.begin()) return keep.front().length;
     if (above == keep.end()) return keep.back().length;
     const Cut::Keep& below = *(above - 1);
@@ -36,7 +36,8 @@ double lengthKeptAt(const std::vector<Cut::Keep>& keep, double y) {
 std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes) {
     if (cut.below) return lengthAbove(*cut.below, nodes);
     double whole = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i) whole += length(nodes[i] - nodes[i - 1]);
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        whole += length(nodes[i] - nodes[i - 1]);
     const double kept = lengthKeptAt(cut.keep, nodes[0].y);
     return kept < whole ? std::optional(kept) : std::nullopt;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/style.h>
+
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <kushi/style.h>
 
 namespace kushi {
 

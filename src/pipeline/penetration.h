@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include <kushi/ellipsoid.h>
+
+#include <span>
 
 namespace kushi {
 

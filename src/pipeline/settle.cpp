@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cmath>
-#include <numeric>
-
 #include "core/parallel.h"
 #include "core/random.h"
 #include "pipeline/penetration.h"
@@ -13,6 +7,12 @@
 #include <kushi/follicles.h>
 #include <kushi/head.h>
 #include <kushi/settle.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <numeric>
 
 namespace kushi {
 
@@ -24,7 +24,7 @@ constexpr std::size_t blockSize = 256;
 constexpr double innerPiece = 0.02;
 
 class Stopwatch {
-   public:
+public:
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         const std::chrono::duration<double, std::milli> passed = now - last_;
@@ -32,7 +32,7 @@ class Stopwatch {
         return passed.count();
     }
 
-   private:
+private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
@@ -49,13 +49,15 @@ std::uint64_t seedOf(const Style& style, const Part& part) {
 
 // `total` shared out in proportion to `weights`, rounded so that the shares add up to it.
 std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, std::size_t total) {
-    const auto sum = static_cast<double>(std::accumulate(weights.begin(), weights.end(), std::size_t{0}));
+    const auto sum =
+        static_cast<double>(std::accumulate(weights.begin(), weights.end(), std::size_t{0}));
     std::vector<std::size_t> shares;
     double upTo = 0;
     std::size_t given = 0;
     for (const std::size_t weight : weights) {
         upTo += static_cast<double>(weight);
-        const auto end = static_cast<std::size_t>(std::llround(upTo / sum * static_cast<double>(total)));
+        const auto end =
+            static_cast<std::size_t>(std::llround(upTo / sum * static_cast<double>(total)));
         shares.push_back(end - given);
         given = end;
     }
@@ -88,7 +90,8 @@ Result<std::vector<Follicles>> plantAll(const Style& style, std::optional<std::s
             all[p] = thin(all[p], shares[p]);
             continue;
         }
-        Result<Follicles> more = plantMore(style.parts[p], seedOf(style, style.parts[p]), shares[p]);
+        Result<Follicles> more =
+            plantMore(style.parts[p], seedOf(style, style.parts[p]), shares[p]);
         if (!more) return more.problems();
         all[p] = std::move(*more);
     }
@@ -114,7 +117,8 @@ Block settleBlock(const Style& style, const Part& part, const Follicles& follicl
             block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
         }
     }
-    block.strands.diameters.assign(block.strands.nodes.size(), static_cast<float>(part.hair.diameter));
+    block.strands.diameters.assign(block.strands.nodes.size(),
+                                   static_cast<float>(part.hair.diameter));
     return block;
 }
 
@@ -125,7 +129,8 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 void append(Strands& to, const Strands& from) {
     const auto base = static_cast<std::uint32_t>(to.nodes.size());
-    for (std::size_t i = 1; i < from.offsets.size(); ++i) to.offsets.push_back(base + from.offsets[i]);
+    for (std::size_t i = 1; i < from.offsets.size(); ++i)
+        to.offsets.push_back(base + from.offsets[i]);
     append(to.nodes, from.nodes);
     append(to.keys, from.keys);
     append(to.diameters, from.diameters);
@@ -141,7 +146,8 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
 
     const int segments = options.segments.value_or(style.solver.segments);
     std::size_t all = 0;
-    for (const Follicles& follicles : *planted) all += follicles.size();
+    for (const Follicles& follicles : *planted)
+        all += follicles.size();
 
     SettledGroom groom;
     std::atomic<std::size_t> done{0};
@@ -149,15 +155,15 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     for (std::size_t p = 0; p < style.parts.size(); ++p) {
         const Follicles& follicles = (*planted)[p];
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        parallelFor(follicles.size(), blockSize, options.threads,
-                    [&](std::size_t begin, std::size_t end) {
-                        blocks[begin / blockSize] = settleBlock(style, style.parts[p], follicles, begin, end,
-                                                                segments, options.measurePenetration);
-                        const std::size_t sofar = done += end - begin;
-                        if (options.progress) {
-                            options.progress(static_cast<double>(sofar) / static_cast<double>(all));
-                        }
-                    });
+        parallelFor(
+            follicles.size(), blockSize, options.threads, [&](std::size_t begin, std::size_t end) {
+                blocks[begin / blockSize] = settleBlock(style, style.parts[p], follicles, begin,
+                                                        end, segments, options.measurePenetration);
+                const std::size_t sofar = done += end - begin;
+                if (options.progress) {
+                    options.progress(static_cast<double>(sofar) / static_cast<double>(all));
+                }
+            });
         for (const Block& block : blocks) {
             append(groom.strands, block.strands);
             append(groom.innerEnds, block.innerEnds);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/strand.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/random.h"
 #include "pipeline/cut.h"
 #include "style/ranges.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace kushi {
 

@@ -2,12 +2,12 @@
 //
 // Usami & Anjyo, "Hairstyle Modeling Technique Using Flexural Rigidity", Trans. IPSJ 33(7), 1992,
 // section 2.2. Plain and in double precision: the reference for faster ones.
-#include <cmath>
-
 #include "contact/avoidance.h"
 #include "style/ranges.h"
 
 #include <kushi/cantilever.h>
+
+#include <cmath>
 
 namespace kushi {
 
@@ -43,7 +43,8 @@ Vec3d loadAt(const CantileverWorld& world, Vec3d point) {
     return load;
 }
 
-void bendCantilever(const CantileverRod& rod, const CantileverWorld& world, std::span<Vec3d> nodes) {
+void bendCantilever(const CantileverRod& rod, const CantileverWorld& world,
+                    std::span<Vec3d> nodes) {
     const std::size_t n = nodes.size() - 1;
     const double d = rod.length / static_cast<double>(n);
     Vec3d before = rod.root - d * rod.direction;

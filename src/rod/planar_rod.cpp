@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The heavy elastica, EI theta'' = (w (L - s) + P) cos(theta), theta(0) = clamp, theta'(L) = 0, on
-// nodes: E = sum EI/(2d) (theta_j - theta_(j-1))^2 + W_j d sin((theta_(j-1) + theta_j)/2), where W_j is
-// the load beyond the middle of segment j.
-#include <algorithm>
-#include <cmath>
-
+// nodes: E = sum EI/(2d) (theta_j - theta_(j-1))^2 + W_j d sin((theta_(j-1) + theta_j)/2), where
+// W_j is the load beyond the middle of segment j.
 #include <kushi/cantilever.h>
 #include <kushi/planar_rod.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace kushi {
 
@@ -35,7 +35,9 @@ Discrete discretize(const PlanarRod& rod, int segments) {
     return rig;
 }
 
-double chord(const Angles& theta, std::size_t j) { return 0.5 * (theta[j - 1] + theta[j]); }
+double chord(const Angles& theta, std::size_t j) {
+    return 0.5 * (theta[j - 1] + theta[j]);
+}
 
 double energy(const Discrete& rig, const Angles& theta, double loadShare) {
     double sum = 0;
@@ -89,7 +91,8 @@ bool newtonStep(const Derivatives& at, double shift, Angles& step) {
 
 double largest(const Angles& values) {
     double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
+    for (const double value : values)
+        most = std::max(most, std::abs(value));
     return most;
 }
 
@@ -109,7 +112,8 @@ void minimize(const Discrete& rig, double loadShare, Angles& theta) {
         const double before = energy(rig, theta, loadShare);
         Angles trial = theta;
         for (int halving = 0; halving < 30; ++halving, reach *= 0.5) {
-            for (std::size_t i = 0; i < step.size(); ++i) trial[i + 1] = theta[i + 1] + reach * step[i];
+            for (std::size_t i = 0; i < step.size(); ++i)
+                trial[i + 1] = theta[i + 1] + reach * step[i];
             if (energy(rig, trial, loadShare) <= before + 1e-12 * std::abs(before)) break;
         }
         theta = trial;
@@ -119,7 +123,8 @@ void minimize(const Discrete& rig, double loadShare, Angles& theta) {
 
 Angles equilibrium(const PlanarRod& rod, const Discrete& rig, int segments) {
     Angles theta(static_cast<std::size_t>(segments) + 1, rod.clampAngle);
-    const double load = (rod.weight * rod.length + rod.tipLoad) * rod.length * rod.length / rod.rigidity;
+    const double load =
+        (rod.weight * rod.length + rod.tipLoad) * rod.length * rod.length / rod.rigidity;
     for (double grown = std::min(load, 0.5);; grown = std::min(load, 1.25 * grown)) {
         // What stands on its tip's point of balance is pushed forward by a hair's breadth.
         if (std::abs(std::cos(rod.clampAngle)) < 1e-12) theta.back() -= 1e-6;
@@ -134,7 +139,8 @@ double chordResidual(const PlanarRod& rod, const Discrete& rig, const Angles& ch
     for (std::size_t j = 0; j < chords.size(); ++j) {
         const double before = j == 0 ? 2 * (chords[0] - rod.clampAngle) : chords[j] - chords[j - 1];
         const double after = j + 1 < chords.size() ? chords[j + 1] - chords[j] : 0;
-        const double imbalance = rig.stiffness * (before - after) + rig.loads[j] * rig.d * std::cos(chords[j]);
+        const double imbalance =
+            rig.stiffness * (before - after) + rig.loads[j] * rig.d * std::cos(chords[j]);
         most = std::max(most, std::abs(imbalance));
     }
     return most / rig.scale;
@@ -170,7 +176,8 @@ PlanarShape bendPlanarRod(const PlanarRod& rod, int segments, Method method) {
     PlanarShape shape = {{{0, 0}}, largest(derive(rig, theta, 1).gradient) / rig.scale};
     for (std::size_t j = 1; j < theta.size(); ++j) {
         const auto [x, y] = shape.nodes.back();
-        shape.nodes.push_back({x + rig.d * std::cos(chord(theta, j)), y + rig.d * std::sin(chord(theta, j))});
+        shape.nodes.push_back(
+            {x + rig.d * std::cos(chord(theta, j)), y + rig.d * std::sin(chord(theta, j))});
     }
     return shape;
 }

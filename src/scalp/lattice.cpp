@@ -34,7 +34,8 @@ std::vector<double> stepLengths(double end, int steps, const Speed& speed) {
 
 ArcLength::ArcLength(double begin, double end, const std::vector<double>& stepLengths)
     : begin_(begin), step_((end - begin) / static_cast<double>(stepLengths.size())), lengths_{0} {
-    for (const double l : stepLengths) lengths_.push_back(lengths_.back() + l);
+    for (const double l : stepLengths)
+        lengths_.push_back(lengths_.back() + l);
 }
 
 double ArcLength::parameterAt(double s) const {
@@ -45,7 +46,8 @@ double ArcLength::parameterAt(double s) const {
 }
 
 double meridianSpeed(const Ellipsoid& e, EllipsoidAngles at) {
-    const double across = std::hypot(e.semiAxes.x * std::cos(at.phi), e.semiAxes.z * std::sin(at.phi));
+    const double across =
+        std::hypot(e.semiAxes.x * std::cos(at.phi), e.semiAxes.z * std::sin(at.phi));
     return std::hypot(across * std::cos(at.theta), e.semiAxes.y * std::sin(at.theta));
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include <kushi/ellipsoid.h>
+
+#include <vector>
 
 namespace kushi {
 
 /// Arc length along a curve with a parameter, tabulated once and inverted by interpolation.
 class ArcLength {
-   public:
+public:
     /// Length of each of the equal steps of the parameter from `begin` to `end`.
     ArcLength(double begin, double end, const std::vector<double>& stepLengths);
 
@@ -17,13 +17,13 @@ class ArcLength {
     /// Parameter at the distance `s` from the beginning, for s in [0, total()].
     double parameterAt(double s) const;
 
-   private:
+private:
     double begin_, step_;
     std::vector<double> lengths_;  // from the beginning to each step's end
 };
 
-/// The mean meridian: theta by distance from the whorl, where a step of theta counts as long as it is
-/// on average over all phi.
+/// The mean meridian: theta by distance from the whorl, where a step of theta counts as long as it
+/// is on average over all phi.
 ArcLength meanMeridian(const Ellipsoid& ellipsoid);
 
 /// The row of constant theta: phi in [0, 2 pi] by distance from phi = 0.

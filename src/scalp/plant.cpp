@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "core/random.h"
 #include "scalp/lattice.h"
 #include "style/ranges.h"
 
 #include <kushi/follicles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace kushi {
 
@@ -57,7 +57,8 @@ Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double
             along -= around.total() * std::floor(along / around.total());
 
             EllipsoidAngles at = {theta, around.parameterAt(along)};
-            at.theta += reach * uniformSigned(mixKey(key, JitterTheta)) / meridianSpeed(ellipsoid, at);
+            at.theta +=
+                reach * uniformSigned(mixKey(key, JitterTheta)) / meridianSpeed(ellipsoid, at);
             at = properAngles(at);
             if (!grows(scalp, at)) continue;
 
@@ -88,11 +89,14 @@ double surfaceArea(const Ellipsoid& ellipsoid) {
 }
 
 Problem tooMany() {
-    return {"the scalp asks for more than 5,000,000 follicles, or 20,000,000 if the whole ellipsoid bore "
-            "hair; give a larger spacing, a smaller count or wider regions"};
+    return {
+        "the scalp asks for more than 5,000,000 follicles, or 20,000,000 if the whole ellipsoid "
+        "bore "
+        "hair; give a larger spacing, a smaller count or wider regions"};
 }
 
-// The follicles at the largest spacing found that gives at least `count`, and the surplus taken out.
+// The follicles at the largest spacing found that gives at least `count`, and the surplus taken
+// out.
 Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std::size_t count,
                              std::uint64_t seed) {
     const double area = surfaceArea(scalp.ellipsoid);
@@ -111,7 +115,8 @@ Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std:
 
         // The number goes with 1 / spacing^2; aim a little above, and fall back on halving.
         guess *= std::sqrt(std::max(number, 0.05) / (1.001 * wanted));
-        if (guess <= fine || guess >= coarse) guess = fine > 0 ? 0.5 * (fine + coarse) : 0.5 * coarse;
+        if (guess <= fine || guess >= coarse)
+            guess = fine > 0 ? 0.5 * (fine + coarse) : 0.5 * coarse;
         if (coarse - fine < 1e-9 * coarse) break;
     }
     return thin(enough, count);
@@ -121,7 +126,8 @@ Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std:
 
 Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed) {
     const ArcLength meridian = meanMeridian(scalp.ellipsoid);
-    if (scalp.count) return plantCount(scalp, meridian, static_cast<std::size_t>(*scalp.count), seed);
+    if (scalp.count)
+        return plantCount(scalp, meridian, static_cast<std::size_t>(*scalp.count), seed);
     const double spacing = *scalp.spacing;
     if (surfaceArea(scalp.ellipsoid) / (spacing * spacing) > mostSites) return tooMany();
     Follicles planted = plantWithSpacing(scalp, meridian, spacing, seed);

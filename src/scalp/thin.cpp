@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/follicles.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,6 @@
 #include <tuple>
 
 #include <nanoflann.hpp>
-
-#include <kushi/follicles.h>
 
 namespace kushi {
 
@@ -30,9 +30,8 @@ struct Cloud {
     }
 };
 
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
-                                        std::size_t>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
+                                                 3, std::size_t>;
 
 // Pairs (index among the members, squared distance), nearest first, ties by index.
 std::vector<std::pair<std::size_t, double>> neighbours(const Tree& tree, Vec3d at, double radius) {
@@ -43,14 +42,16 @@ std::vector<std::pair<std::size_t, double>> neighbours(const Tree& tree, Vec3d a
     return found;
 }
 
-// Takes members out, always the one with the most crowded surroundings, until `target` are left. The
-// order in which they go depends on `scale` (the number that the whole round aims at), not on
+// Takes members out, always the one with the most crowded surroundings, until `target` are left.
+// The order in which they go depends on `scale` (the number that the whole round aims at), not on
 // `target`; so rounds that stop early keep a superset.
-std::vector<std::size_t> eliminate(const Follicles& follicles, const std::vector<std::size_t>& members,
-                                   double area, std::size_t scale, std::size_t target) {
+std::vector<std::size_t> eliminate(const Follicles& follicles,
+                                   const std::vector<std::size_t>& members, double area,
+                                   std::size_t scale, std::size_t target) {
     const Cloud cloud{follicles.roots, members};
     const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
-    const double reach = 2 * std::sqrt(area / (2 * std::numbers::sqrt3 * static_cast<double>(scale)));
+    const double reach =
+        2 * std::sqrt(area / (2 * std::numbers::sqrt3 * static_cast<double>(scale)));
     const auto crowding = [reach](double squaredDistance) {
         const double nearness = std::max(0.0, 1 - std::sqrt(squaredDistance) / reach);
         return std::pow(nearness, 8);
@@ -69,7 +70,8 @@ std::vector<std::size_t> eliminate(const Follicles& follicles, const std::vector
     const auto enter = [&](std::size_t i) {
         queue.emplace(weights[i], follicles.keys[members[i]], i);
     };
-    for (std::size_t i = 0; i < members.size(); ++i) enter(i);
+    for (std::size_t i = 0; i < members.size(); ++i)
+        enter(i);
 
     std::vector<bool> gone(members.size(), false);
     for (std::size_t left = members.size(); left > target;) {
@@ -97,10 +99,12 @@ std::vector<std::size_t> eliminate(const Follicles& follicles, const std::vector
 
 Follicles thin(const Follicles& follicles, std::size_t count) {
     if (count >= follicles.size()) return follicles;
-    const double area = follicles.spacing * follicles.spacing * static_cast<double>(follicles.size());
+    const double area =
+        follicles.spacing * follicles.spacing * static_cast<double>(follicles.size());
 
     std::vector<std::size_t> members(follicles.size());
-    for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
+    for (std::size_t i = 0; i < members.size(); ++i)
+        members[i] = i;
     while (members.size() > count) {
         const std::size_t half = std::max<std::size_t>(1, members.size() / 2);
         members = eliminate(follicles, members, area, half, std::max(count, half));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cli/program.h"
 
 namespace kushi::test {
 namespace {
@@ -12,7 +12,8 @@ namespace {
 using testing::HasSubstr;
 
 // Every command refuses bad input with status 2 and one clear line per problem, and writes nothing.
-void expectRefused(const std::string& folder, const std::string& arguments, const std::string& message) {
+void expectRefused(const std::string& folder, const std::string& arguments,
+                   const std::string& message) {
     const Outcome run = runKushi(arguments);
     EXPECT_EQ(run.status, 2) << arguments << '\n' << run.err;
     EXPECT_THAT(run.err, HasSubstr(message)) << arguments;
@@ -25,10 +26,12 @@ void expectRefused(const std::string& folder, const std::string& arguments, cons
 TEST(BadInput, AStyleWithProblemsIsRefusedByEveryCommand) {
     const std::string folder = freshFolder();
     const std::string style = folder + "/bad.toml";
-    writeText(style, smallStyle() + "lenght = 3\n\n[[force]]\ndirection = \"sideways\"\nmagnitude = 1\n");
+    writeText(style,
+              smallStyle() + "lenght = 3\n\n[[force]]\ndirection = \"sideways\"\nmagnitude = 1\n");
     const std::string where = style + ":11:1: error: ";
     for (const std::string& command :
-         {"check " + style, "info " + style, "settle " + style + " -o " + folder + "/out.hair --report " + folder + "/out.json",
+         {"check " + style, "info " + style,
+          "settle " + style + " -o " + folder + "/out.hair --report " + folder + "/out.json",
           "render " + style + " -o " + folder + "/out.png"}) {
         expectRefused(folder, command, where);
         expectRefused(folder, command, "length");
@@ -57,7 +60,8 @@ TEST(BadInput, SettlingAGroomIsNotThereYet) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n");
     expectRefused(folder, "settle " + folder + "/a.obj -o " + folder + "/out.hair", "equilibrium");
-    expectRefused(folder, "render " + folder + "/a.obj --count 5 -o " + folder + "/out.png", "for styles");
+    expectRefused(folder, "render " + folder + "/a.obj --count 5 -o " + folder + "/out.png",
+                  "for styles");
 }
 
 }  // namespace

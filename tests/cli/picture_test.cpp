@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include "cli/program.h"
+
+#include <gtest/gtest.h>
 
 namespace kushi::test {
 namespace {
 
 std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
     return value;
 }
 
@@ -17,7 +18,8 @@ TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
     writeText(folder + "/a.toml", smallStyle());
     std::string first;
     for (const char* threads : {"1", "2", "8"}) {
-        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder + "/a.png --size 200x100 --threads " + threads);
+        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder +
+                                     "/a.png --size 200x100 --threads " + threads);
         ASSERT_EQ(run.status, 0) << run.err;
         const std::string bytes = readBytes(folder + "/a.png");
         ASSERT_EQ(bytes.substr(1, 3), "PNG");
@@ -31,7 +33,8 @@ TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
 TEST(RenderCommand, DrawsGroomsMadeElsewhere) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.obj", "v 0 0 0\nv 1 1 0\nv 1 2 3\nl 1 2 3\n");
-    const Outcome run = runKushi("render " + folder + "/a.obj -o " + folder + "/a.png --size 64x64 --view 30,10 --supersample 1");
+    const Outcome run = runKushi("render " + folder + "/a.obj -o " + folder +
+                                 "/a.png --size 64x64 --view 30,10 --supersample 1");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(readBytes(folder + "/a.png").substr(1, 3), "PNG");
 }

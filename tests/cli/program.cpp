@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include <gtest/gtest.h>
-
 #include <sys/wait.h>
 
 namespace kushi::test {
@@ -16,8 +15,8 @@ namespace fs = std::filesystem;
 
 std::string freshFolder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path folder =
-        fs::path(testing::TempDir()) / (std::string("kushi-") + test->test_suite_name() + "-" + test->name());
+    const fs::path folder = fs::path(testing::TempDir()) /
+                            (std::string("kushi-") + test->test_suite_name() + "-" + test->name());
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder.string();
@@ -25,7 +24,8 @@ std::string freshFolder() {
 
 Outcome runKushi(const std::string& arguments) {
     const std::string base = testing::TempDir() + "kushi-run-" + std::to_string(getpid());
-    const std::string command = std::string(KUSHI_PROGRAM) + " " + arguments + " >" + base + ".out 2>" + base + ".err";
+    const std::string command =
+        std::string(KUSHI_PROGRAM) + " " + arguments + " >" + base + ".out 2>" + base + ".err";
     const int raw = std::system(command.c_str());
     Outcome outcome;
     outcome.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
@@ -36,7 +36,9 @@ Outcome runKushi(const std::string& arguments) {
     return outcome;
 }
 
-void writeText(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+void writeText(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
 
 std::string readBytes(const std::string& path) {
     std::ifstream in(path, std::ios::binary);

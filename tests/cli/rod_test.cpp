@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include "cli/program.h"
 
 namespace kushi::test {
 namespace {
@@ -19,7 +19,8 @@ json rod(const std::string& arguments) {
 
 // A stiff beam's tip drops by w L^4 / (8 EI) + P L^3 / (3 EI).
 TEST(RodCommand, AStiffRodIsABeam) {
-    const json bent = rod("--length 10 --segments 100 --rigidity 1e-3 --weight 0.01 --angle 0 --tip-load 1e-3");
+    const json bent =
+        rod("--length 10 --segments 100 --rigidity 1e-3 --weight 0.01 --angle 0 --tip-load 1e-3");
     EXPECT_EQ(bent["unit"], "m");
     ASSERT_EQ(bent["nodes"].size(), 101U);
     EXPECT_EQ(bent["nodes"][0][0], 0);
@@ -30,7 +31,8 @@ TEST(RodCommand, AStiffRodIsABeam) {
 }
 
 TEST(RodCommand, TheCantileverBendsHalfAsFar) {
-    const json bent = rod("--length 10 --segments 400 --rigidity 1e-3 --weight 0.01 --method cantilever");
+    const json bent =
+        rod("--length 10 --segments 400 --rigidity 1e-3 --weight 0.01 --method cantilever");
     EXPECT_NEAR(-bent["nodes"][400][1].get<double>() / (0.01 * 1e-4 / 16e-3), 1, 0.01);
     EXPECT_GT(bent["residual"], 1e-4);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
+#include <kushi/groom_io.h>
+
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <kushi/groom_io.h>
-
-#include "cli/program.h"
 
 namespace kushi::test {
 namespace {
@@ -39,7 +39,10 @@ TEST(SettleCommand, TheSameStyleGivesTheSameBytes) {
     writeText(folder + "/a.toml", smallStyle());
     std::string first;
     for (const char* threads : {"1", "2", "8"}) {
-        ASSERT_EQ(runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair --threads " + threads).status, 0);
+        ASSERT_EQ(
+            runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair --threads " + threads)
+                .status,
+            0);
         const std::string bytes = readBytes(folder + "/a.hair");
         if (first.empty()) first = bytes;
         EXPECT_TRUE(bytes == first) << threads;
@@ -49,8 +52,8 @@ TEST(SettleCommand, TheSameStyleGivesTheSameBytes) {
 TEST(SettleCommand, CountSegmentsAndReport) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
-    const Outcome run = runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair --count 50 --segments 10 --report " +
-                                 folder + "/r.json");
+    const Outcome run = runKushi("settle " + folder + "/a.toml -o " + folder +
+                                 "/a.hair --count 50 --segments 10 --report " + folder + "/r.json");
     ASSERT_EQ(run.status, 0) << run.err;
     const json report = json::parse(readBytes(folder + "/r.json"));
     EXPECT_EQ(report["strands"], 50);
@@ -86,14 +89,15 @@ TEST(SettleCommand, OutputsAppearWholeOrNotAtAll) {
     // A limit of 1 KiB on the size of files stands for a full disk.
     writeText(folder + "/a.hair", "precious");
     const std::string program = KUSHI_PROGRAM;
-    const std::string limited = "sh -c 'ulimit -f 2; exec " + program + " settle " + folder + "/a.toml -o " + folder +
-                                "/a.hair' 2>" + folder + "/err";
+    const std::string limited = "sh -c 'ulimit -f 2; exec " + program + " settle " + folder +
+                                "/a.toml -o " + folder + "/a.hair' 2>" + folder + "/err";
     const int raw = std::system(limited.c_str());
     EXPECT_EQ(WEXITSTATUS(raw), 1);
     EXPECT_THAT(readBytes(folder + "/err"), testing::HasSubstr("a.hair"));
     EXPECT_EQ(readBytes(folder + "/a.hair"), "precious");
     std::size_t files = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder))
+        ++files;
     EXPECT_EQ(files, 3U);  // the style, the groom, the messages
 }
 

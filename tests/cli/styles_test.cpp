@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shipped hairstyles, settled and measured.
+#include <kushi/settle.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include <kushi/settle.h>
-
 namespace kushi::test {
 namespace {
 
 SettledGroom settled(const std::string& name, std::size_t count) {
-    const Result<Style> style = readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/" + name + ".toml");
+    const Result<Style> style =
+        readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/" + name + ".toml");
     EXPECT_TRUE(style.ok());
     SettleOptions options;
     options.count = count;
@@ -21,7 +22,8 @@ SettledGroom settled(const std::string& name, std::size_t count) {
 
 TEST(ShippedStyles, AllAreValidAndSettle) {
     int styles = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(KUSHI_SOURCE_DIR) + "/styles")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(KUSHI_SOURCE_DIR) + "/styles")) {
         const Result<Style> style = readStyle(entry.path().string());
         ASSERT_TRUE(style.ok()) << entry.path();
         EXPECT_FALSE(style->name.empty()) << entry.path();
@@ -97,7 +99,8 @@ TEST(ShippedStyles, TheBobHasAFringeAPartingAndEndsThatTurnIn) {
         const auto nodes = groom.strands.strand(i);
         const Vec3f root = nodes[0];
         const Vec3f tip = nodes.back();
-        if (root.x > 0.09F && std::abs(root.z) < 0.03F) lowestFringe = std::min<double>(lowestFringe, tip.y);
+        if (root.x > 0.09F && std::abs(root.z) < 0.03F)
+            lowestFringe = std::min<double>(lowestFringe, tip.y);
         if (tip.y > -0.06F) continue;
         ++hanging;
         const Vec3f before = nodes[nodes.size() - 4];

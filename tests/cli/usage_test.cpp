@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cli/program.h"
 
 namespace kushi::test {
 namespace {
@@ -29,18 +29,40 @@ TEST(Usage, HelpTeaches) {
 }
 
 TEST(Usage, MistakesAreOneLineAndStatusTwo) {
-    for (const char* arguments :
-         {"", "comb", "settle", "settle a.toml", "render a.toml -o b.png --supersample 3", "render a.toml -o b.png --threads 0",
-          "render a.toml -o b.png --size 12", "render a.toml -o b.png --size 0x5", "render a.toml -o b.png --size 5x5x",
-          "render a.toml -o b.png --view sideways", "render a.toml -o b.jpg", "settle a.toml -o b.abc",
-          "settle a.toml -o b.hair --segments 257", "settle a.toml -o b.hair --count 0", "settle a.toml -o b.hair --count many",
-          "settle a.toml -o b.hair --method equilibrium", "settle a.toml -o b.hair --method magic", "convert a.hair",
-          "convert a.hair b.abc", "info a.txt", "info", "check", "rod --length -1", "rod --segments 0", "rod --method magic",
-          "rod --angle 181", "rod --length nan", "info --jsn a.hair", "check a.toml b.toml"}) {
+    for (const char* arguments : {"",
+                                  "comb",
+                                  "settle",
+                                  "settle a.toml",
+                                  "render a.toml -o b.png --supersample 3",
+                                  "render a.toml -o b.png --threads 0",
+                                  "render a.toml -o b.png --size 12",
+                                  "render a.toml -o b.png --size 0x5",
+                                  "render a.toml -o b.png --size 5x5x",
+                                  "render a.toml -o b.png --view sideways",
+                                  "render a.toml -o b.jpg",
+                                  "settle a.toml -o b.abc",
+                                  "settle a.toml -o b.hair --segments 257",
+                                  "settle a.toml -o b.hair --count 0",
+                                  "settle a.toml -o b.hair --count many",
+                                  "settle a.toml -o b.hair --method equilibrium",
+                                  "settle a.toml -o b.hair --method magic",
+                                  "convert a.hair",
+                                  "convert a.hair b.abc",
+                                  "info a.txt",
+                                  "info",
+                                  "check",
+                                  "rod --length -1",
+                                  "rod --segments 0",
+                                  "rod --method magic",
+                                  "rod --angle 181",
+                                  "rod --length nan",
+                                  "info --jsn a.hair",
+                                  "check a.toml b.toml"}) {
         const Outcome run = runKushi(arguments);
         EXPECT_EQ(run.status, 2) << arguments;
         EXPECT_EQ(run.out, "") << arguments;
-        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << arguments << ": " << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1)
+            << arguments << ": " << run.err;
         EXPECT_THAT(run.err, HasSubstr("error: ")) << arguments;
     }
 }

@@ -18,28 +18,31 @@ Vec3d turned(Vec3d along, Vec3d aside, double angle) {
 // outside, n2+ too, n2- inside; then only the plus side goes on, n3+ and n4+, and n4+ is taken.
 TEST(Avoidance, GoesThroughTheStepsOfTheFigure) {
     const Ellipsoid circle = {{}, {1, 1, 1}, 0};
-    // From this point segments of length 0.32 end inside within 45 degrees of straight down; this one
-    // comes down at 40.
+    // From this point segments of length 0.32 end inside within 45 degrees of straight down; this
+    // one comes down at 40.
     const Vec3d from = {0, 1.2, 0};
     const Vec3d along = 0.32 * Vec3d{std::sin(radians(40)), -std::cos(radians(40)), 0};
     const Vec3d aside = 0.32 * Vec3d{std::cos(radians(40)), std::sin(radians(40)), 0};
     const Vec3d before = from - Vec3d{0.3, -0.06, 0};
     ASSERT_GT(dot(aside, from - before), 0);
 
-    const auto inside = [&](double angle) { return isInside(circle, from + turned(along, aside, angle)); };
+    const auto inside = [&](double angle) {
+        return isInside(circle, from + turned(along, aside, angle));
+    };
     ASSERT_TRUE(inside(0));
-    ASSERT_FALSE(inside(90));   // n1+
-    ASSERT_FALSE(inside(-90));  // n1-
-    ASSERT_FALSE(inside(45));   // n2+
-    ASSERT_TRUE(inside(-45));   // n2-
+    ASSERT_FALSE(inside(90));     // n1+
+    ASSERT_FALSE(inside(-90));    // n1-
+    ASSERT_FALSE(inside(45));     // n2+
+    ASSERT_TRUE(inside(-45));     // n2-
     ASSERT_FALSE(inside(22.5));   // n3+
     ASSERT_FALSE(inside(11.25));  // n4+
 
     const Vec3d expected = from + turned(along, aside, 11.25);
     EXPECT_LT(length(avoid(circle, before, from, from + along, 4) - expected), 1e-14);
     // With fewer steps it stops at the angle reached.
-    EXPECT_LT(length(avoid(circle, before, from, from + along, 2) - (from + turned(along, aside, 45))),
-              1e-14);
+    EXPECT_LT(
+        length(avoid(circle, before, from, from + along, 2) - (from + turned(along, aside, 45))),
+        1e-14);
 }
 
 TEST(Avoidance, TakesTheSideNearerToTheHairWhereBothLastAsLong) {
@@ -70,7 +73,8 @@ TEST(Avoidance, NeverEndsInsideAndKeepsTheLength) {
     for (int i = 0; i < 200000; ++i) {
         const Vec3d surface = e.point({std::acos(unit(random)), pi * unit(random)});
         const Vec3d from = surface + 0.005 * std::abs(unit(random)) * e.normal(surface);
-        const Vec3d before = from + 0.01 * normalized(Vec3d{unit(random), unit(random), unit(random)});
+        const Vec3d before =
+            from + 0.01 * normalized(Vec3d{unit(random), unit(random), unit(random)});
         const double d = 0.001 + 0.03 * std::abs(unit(random));
         const Vec3d to = from + d * normalized(Vec3d{unit(random), unit(random), unit(random)});
         if (!isInside(e, to)) continue;

@@ -15,20 +15,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> layers = {"core",    "geometry", "head",     "groom",   "io",    "style",
-                                         "scalp",   "contact",  "rod",      "pipeline", "shading", "render"};
+const std::vector<std::string> layers = {"core", "geometry", "head",    "groom",
+                                         "io",   "style",    "scalp",   "contact",
+                                         "rod",  "pipeline", "shading", "render"};
 
 // Which layer implements each public header; kushi.h includes all of them.
 const std::map<std::string, std::string> headerLayers = {
-    {"result.h", "core"},     {"color.h", "core"},        {"vec.h", "geometry"},
-    {"ellipsoid.h", "geometry"}, {"mesh.h", "geometry"},  {"head.h", "head"},
-    {"strands.h", "groom"},   {"groom_io.h", "io"},       {"image.h", "io"},
-    {"style.h", "style"},     {"follicles.h", "scalp"},   {"cantilever.h", "rod"}, {"planar_rod.h", "rod"},
-    {"settle.h", "pipeline"}, {"shade.h", "shading"},     {"camera.h", "render"},
-    {"draw.h", "render"}};
+    {"result.h", "core"},        {"color.h", "core"},      {"vec.h", "geometry"},
+    {"ellipsoid.h", "geometry"}, {"mesh.h", "geometry"},   {"head.h", "head"},
+    {"strands.h", "groom"},      {"groom_io.h", "io"},     {"image.h", "io"},
+    {"style.h", "style"},        {"follicles.h", "scalp"}, {"cantilever.h", "rod"},
+    {"planar_rod.h", "rod"},     {"settle.h", "pipeline"}, {"shade.h", "shading"},
+    {"camera.h", "render"},      {"draw.h", "render"}};
 
 // Image is a plain value that io writes and render fills.
-bool isPlainValue(const std::string& header) { return header == "image.h" || header == "color.h"; }
+bool isPlainValue(const std::string& header) {
+    return header == "image.h" || header == "color.h";
+}
 
 std::ptrdiff_t rank(const std::string& layer) {
     return std::find(layers.begin(), layers.end(), layer) - layers.begin();
@@ -47,7 +50,8 @@ std::vector<std::string> includesOf(const fs::path& file, const std::string& pat
 
 void expectNothingAbove(const fs::path& file, const std::string& layer) {
     for (const std::string& folder : includesOf(file, "^#include \"([a-z_]+)/")) {
-        EXPECT_LE(rank(folder), rank(layer)) << file << " includes from the higher layer " << folder;
+        EXPECT_LE(rank(folder), rank(layer))
+            << file << " includes from the higher layer " << folder;
     }
     for (const std::string& header : includesOf(file, "^#include <kushi/([a-z_]+\\.h)>")) {
         if (isPlainValue(header)) continue;
@@ -86,8 +90,9 @@ TEST(Layering, NoPublicHeaderIncludesFromALayerAboveItsOwn) {
 TEST(Layering, TheLibraryDoesNotPrintOrExit) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(KUSHI_SOURCE_DIR) / "src")) {
         if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-        EXPECT_TRUE(includesOf(entry.path(), R"((std::cout|std::cerr|\bprintf\(|std::exit|\babort\())")
-                        .empty())
+        EXPECT_TRUE(
+            includesOf(entry.path(), R"((std::cout|std::cerr|\bprintf\(|std::exit|\babort\())")
+                .empty())
             << entry.path();
     }
 }

@@ -15,9 +15,11 @@ TEST(ParallelFor, VisitsEveryItemOnce) {
     for (const int threads : {0, 1, 2, 8}) {
         std::vector<std::atomic<int>> visits(1003);
         parallelFor(visits.size(), 10, threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) ++visits[i];
+            for (std::size_t i = begin; i < end; ++i)
+                ++visits[i];
         });
-        for (const auto& visit : visits) EXPECT_EQ(visit, 1);
+        for (const auto& visit : visits)
+            EXPECT_EQ(visit, 1);
     }
 }
 

@@ -9,7 +9,9 @@ namespace kushi {
 namespace {
 
 // First output of SplitMix64 from state 0, a published reference value.
-TEST(Random, ScrambleIsSplitMix64) { EXPECT_EQ(scramble(0), 0xe220a8397b1dcdafU); }
+TEST(Random, ScrambleIsSplitMix64) {
+    EXPECT_EQ(scramble(0), 0xe220a8397b1dcdafU);
+}
 
 // FNV-1a of "a" and of the empty text, published reference values.
 TEST(Random, TextKeyIsFnv1a) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include <kushi/result.h>
+
+#include <gtest/gtest.h>
 
 namespace kushi {
 namespace {

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/ellipsoid.h>
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
-
-#include <kushi/ellipsoid.h>
 
 namespace kushi {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Ellipsoid scalp() { return {{0.01, -0.02, 0.03}, {0.105, 0.125, 0.085}, radians(20)}; }
+Ellipsoid scalp() {
+    return {{0.01, -0.02, 0.03}, {0.105, 0.125, 0.085}, radians(20)};
+}
 
 void expectNear(Vec3d a, Vec3d b, double tolerance) {
-    EXPECT_LE(length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' '
-                                        << b.y << ' ' << b.z;
+    EXPECT_LE(length(a - b), tolerance)
+        << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 TEST(Ellipsoid, TheWhorlTipsBackwardsForPositiveRotation) {
     const Ellipsoid e = {{}, {0.1, 0.2, 0.3}, radians(20)};
-    expectNear(e.point({0, 0}), {-0.2 * std::sin(radians(20)), 0.2 * std::cos(radians(20)), 0}, 1e-15);
+    expectNear(e.point({0, 0}), {-0.2 * std::sin(radians(20)), 0.2 * std::cos(radians(20)), 0},
+               1e-15);
     // The front, phi = 0 on the equator, rises with it.
     expectNear(e.point({pi / 2, 0}), {0.1 * std::cos(radians(20)), 0.1 * std::sin(radians(20)), 0},
                1e-15);
@@ -78,7 +81,8 @@ double depthBySearch(const Ellipsoid& e, Vec3d p) {
         const EllipsoidAngles around = best;
         for (int i = -30; i <= 30; ++i) {
             for (int k = -30; k <= 30; ++k) {
-                const EllipsoidAngles at = {around.theta + window * i / 30, around.phi + window * k / 30};
+                const EllipsoidAngles at = {around.theta + window * i / 30,
+                                            around.phi + window * k / 30};
                 const double distance = length(e.point(at) - p);
                 if (distance < least) {
                     least = distance;
@@ -93,8 +97,12 @@ double depthBySearch(const Ellipsoid& e, Vec3d p) {
 
 TEST(Ellipsoid, DepthIsTheDistanceToTheNearestSurfacePoint) {
     const Ellipsoid e = scalp();
-    for (const Vec3d local : {Vec3d{0.05, 0.03, 0.02}, {-0.09, 0.01, 0.003}, {0.001, 0.11, 0.01},
-                              {0.02, -0.03, 0}, {0, 0, 0}, {0.03, 0, 0.07}}) {
+    for (const Vec3d local : {Vec3d{0.05, 0.03, 0.02},
+                              {-0.09, 0.01, 0.003},
+                              {0.001, 0.11, 0.01},
+                              {0.02, -0.03, 0},
+                              {0, 0, 0},
+                              {0.03, 0, 0.07}}) {
         const Vec3d p = e.center + e.toWorldDirection(local);
         EXPECT_NEAR(e.depth(p), depthBySearch(e, p), 1e-8);
     }

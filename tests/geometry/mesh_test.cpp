@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/mesh.h>
+
 #include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
-
-#include <kushi/mesh.h>
 
 namespace kushi {
 namespace {
@@ -15,7 +15,8 @@ TEST(EllipsoidMesh, IsClosedAndOrientedAlike) {
     const Mesh mesh = ellipsoidMesh(egg, 24);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const auto& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+        for (std::size_t k = 0; k < 3; ++k)
+            ++edges[{t[k], t[(k + 1) % 3]}];
     }
     for (const auto& [edge, times] : edges) {
         EXPECT_EQ(times, 1);
@@ -38,7 +39,8 @@ TEST(ComputeNormals, AgreesWithTheEllipsoidsOwn) {
     Mesh mesh = ellipsoidMesh(egg, 96);
     const std::vector<Vec3f> exact = mesh.normals;
     computeNormals(mesh);
-    for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_GT(dot(exact[i], mesh.normals[i]), 0.999F);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        EXPECT_GT(dot(exact[i], mesh.normals[i]), 0.999F);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/strands.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <kushi/strands.h>
 
 namespace kushi {
 namespace {

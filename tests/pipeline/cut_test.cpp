@@ -14,7 +14,8 @@ TEST(CutBelow, LeavesWhatLiesBeforeTheFirstPassage) {
     cut.below = -0.5;
     EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook), 1 + 2 + 1.5);
     cut.below = 0;
-    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook), 1 + 2 + 1);  // the follicle at the height is not below it
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook),
+                     1 + 2 + 1);  // the follicle at the height is not below it
     cut.below = 0.5;
     EXPECT_EQ(*lengthLeft(cut, hook), 0);
     cut.below = -2;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/settle.h>
+
 #include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include <kushi/settle.h>
 
 namespace kushi {
 namespace {
@@ -29,7 +29,8 @@ SettledGroom settled(const Style& style, const SettleOptions& options = {}) {
 }
 
 bool sameBytes(const Strands& a, const Strands& b) {
-    return a.nodes == b.nodes && a.offsets == b.offsets && a.keys == b.keys && a.diameters == b.diameters;
+    return a.nodes == b.nodes && a.offsets == b.offsets && a.keys == b.keys &&
+           a.diameters == b.diameters;
 }
 
 TEST(Settle, GivesTheSameBytesFromAnyNumberOfThreads) {
@@ -84,7 +85,8 @@ TEST(Settle, APreviewShowsTheSameHairs) {
     ASSERT_EQ(few.strands.size(), 300U);
     std::size_t at = 0;
     for (std::size_t i = 0; i < few.strands.size(); ++i) {
-        while (all.strands.keys[at] != few.strands.keys[i]) ++at;
+        while (all.strands.keys[at] != few.strands.keys[i])
+            ++at;
         ASSERT_TRUE(std::ranges::equal(all.strands.strand(at), few.strands.strand(i)));
     }
 }
@@ -92,7 +94,8 @@ TEST(Settle, APreviewShowsTheSameHairs) {
 TEST(Settle, ACountAboveTheStylesPlantsAnew) {
     SettleOptions options;
     options.count = 1500;
-    EXPECT_NEAR(static_cast<double>(settled(plain(1000), options).strands.size()), 1500, 0.005 * 1500);
+    EXPECT_NEAR(static_cast<double>(settled(plain(1000), options).strands.size()), 1500,
+                0.005 * 1500);
 }
 
 TEST(Settle, PartsShareACountByWhatTheyHave) {
@@ -106,11 +109,13 @@ TEST(Settle, PartsShareACountByWhatTheyHave) {
     const SettledGroom groom = settled(style, options);
     ASSERT_EQ(groom.strands.size(), 80U);
     std::size_t shortOnes = 0;
-    for (std::size_t i = 0; i < 80; ++i) shortOnes += polylineLength(groom.strands.strand(i)) < 0.2 ? 1 : 0;
+    for (std::size_t i = 0; i < 80; ++i)
+        shortOnes += polylineLength(groom.strands.strand(i)) < 0.2 ? 1 : 0;
     EXPECT_EQ(shortOnes, 20U);
 }
 
-// Hide keeps the shape and only ends it; at the height exactly, but for strands that never reach it.
+// Hide keeps the shape and only ends it; at the height exactly, but for strands that never reach
+// it.
 TEST(Settle, AHideCutShowsLessOfTheSameShape) {
     Style style = plain(800);
     const SettledGroom whole = settled(style);
@@ -123,11 +128,14 @@ TEST(Settle, AHideCutShowsLessOfTheSameShape) {
     std::size_t clippedOnes = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < hidden.strands.size(); ++i) {
-        while (whole.strands.keys[at] != hidden.strands.keys[i]) ++at;
+        while (whole.strands.keys[at] != hidden.strands.keys[i])
+            ++at;
         const auto before = whole.strands.strand(at);
         const auto after = hidden.strands.strand(i);
-        for (std::size_t k = 0; k + 1 < after.size(); ++k) ASSERT_EQ(after[k], before[k]);
-        for (const Vec3f node : after) ASSERT_GE(node.y, 0.02F - 1e-8F);
+        for (std::size_t k = 0; k + 1 < after.size(); ++k)
+            ASSERT_EQ(after[k], before[k]);
+        for (const Vec3f node : after)
+            ASSERT_GE(node.y, 0.02F - 1e-8F);
         if (after.size() == before.size() && after.back() == before.back()) continue;
         ASSERT_NEAR(after.back().y, 0.02, 1e-8);
         ++clippedOnes;

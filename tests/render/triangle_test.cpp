@@ -40,15 +40,14 @@ TEST(Polygon, CoversTheSamplesWhoseCentreLiesInside) {
         }
         return 1;
     };
-    for (const auto& order : {std::array{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
-        std::vector<ScreenPoint> points;
-        for (const int i : order)
-            points.push_back(corners[static_cast<std::size_t>(i)]);
-        const auto samples = covered(polygonOf(points));
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const auto x = static_cast<double>(i % 64) + 0.5;
-            const auto y = static_cast<double>(i / 64) + 0.5;
-            ASSERT_EQ(samples[i], inside(x, y)) << x << ' ' << y;
+    for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
+        const auto samples = covered(polygonOf({corners[i], corners[j], corners[k]}));
+        for (std::size_t sample = 0; sample < samples.size(); ++sample) {
+            const std::size_t column = sample % 64;
+            const std::size_t row = sample / 64;
+            const double x = static_cast<double>(column) + 0.5;
+            const double y = static_cast<double>(row) + 0.5;
+            ASSERT_EQ(samples[sample], inside(x, y)) << x << ' ' << y;
         }
     }
 }

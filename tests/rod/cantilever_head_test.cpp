@@ -3,12 +3,12 @@
 // The walk over a whole head: what the ellipsoid does to it.
 #include "contact/avoidance.h"
 
+#include <kushi/cantilever.h>
+
 #include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
-
-#include <kushi/cantilever.h>
 
 namespace kushi {
 namespace {
@@ -17,7 +17,8 @@ constexpr double pi = std::numbers::pi;
 
 const Ellipsoid head = {{}, {0.105, 0.125, 0.085}, radians(20)};
 
-std::vector<Vec3d> hairAt(EllipsoidAngles at, double length, const CantileverWorld& world, int segments) {
+std::vector<Vec3d> hairAt(EllipsoidAngles at, double length, const CantileverWorld& world,
+                          int segments) {
     const Vec3d root = head.point(at);
     const CantileverRod rod = {root, head.normal(root), length, 6.06e-9, 5.72e-5};
     std::vector<Vec3d> nodes(static_cast<std::size_t>(segments) + 1);
@@ -75,7 +76,8 @@ TEST(CantileverOnAHead, TwentyAndFortySegmentsGiveTheSameHairstyle) {
 // The paper on its figure 9 (b): hair near the crown stands, for gravity hardly bends what points
 // upwards.
 TEST(CantileverOnAHead, HairAtTheCrownStandsUnderGravity) {
-    const double topTheta = std::atan2(std::sin(radians(20)) * 0.105, std::cos(radians(20)) * 0.125);
+    const double topTheta =
+        std::atan2(std::sin(radians(20)) * 0.105, std::cos(radians(20)) * 0.125);
     const Vec3d top = head.point({topTheta, 0});
     const std::vector<Vec3d> standing = hairAt({topTheta, 0}, 0.25, avoiding({0, -1, 0}), 40);
     EXPECT_GT(standing.back().y - top.y, 0.2);

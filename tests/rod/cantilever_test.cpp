@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/cantilever.h>
+
 #include <random>
 
 #include <gtest/gtest.h>
-
-#include <kushi/cantilever.h>
 
 namespace kushi {
 namespace {
@@ -21,7 +21,8 @@ CantileverRod softRod(Vec3d direction, int segments) {
     return {{0, 0, 0}, direction, 0.5 * segments, 0.3, 0.7};
 }
 
-void expectNodes(const std::vector<Vec3d>& nodes, const std::vector<Vec3d>& expected, double tolerance) {
+void expectNodes(const std::vector<Vec3d>& nodes, const std::vector<Vec3d>& expected,
+                 double tolerance) {
     ASSERT_EQ(nodes.size(), expected.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         EXPECT_LT(length(nodes[i] - expected[i]), tolerance)
@@ -29,12 +30,12 @@ void expectNodes(const std::vector<Vec3d>& nodes, const std::vector<Vec3d>& expe
     }
 }
 
-// By hand: y = (0.7 * 0.25 * 1/2) * 0.25 / 0.6 and p1 = 0.5 (0.5, -y) / |(0.5, -y)|; with two segments
-// y / d = 7 / 24, and 7, 24, 25 is a Pythagorean triple. The longer walks were computed in 40-digit
-// decimals from e = d a0 + d^2 / (2 EI) (M - (M . a0) a0), which needs no axes a1 and a2.
+// By hand: y = (0.7 * 0.25 * 1/2) * 0.25 / 0.6 and p1 = 0.5 (0.5, -y) / |(0.5, -y)|; with two
+// segments y / d = 7 / 24, and 7, 24, 25 is a Pythagorean triple. The longer walks were computed in
+// 40-digit decimals from e = d a0 + d^2 / (2 EI) (M - (M . a0) a0), which needs no axes a1 and a2.
 TEST(Cantilever, LevelRodsAgreeWithTheHandCalculation) {
-    expectNodes(bend(softRod({1, 0, 0}, 1), {}, 1), {{0, 0, 0}, {0.4986760669530411, -0.03636179654865924, 0}},
-                1e-15);
+    expectNodes(bend(softRod({1, 0, 0}, 1), {}, 1),
+                {{0, 0, 0}, {0.4986760669530411, -0.03636179654865924, 0}}, 1e-15);
     expectNodes(bend(softRod({1, 0, 0}, 2), {}, 2),
                 {{0, 0, 0}, {0.48, -0.14, 0}, {0.9490522263499929, -0.3131762366957864, 0}}, 1e-15);
     expectNodes(bend(softRod({1, 0, 0}, 3), {}, 3),
@@ -55,7 +56,8 @@ TEST(Cantilever, ASlantedRodAgreesWithTheHandCalculation) {
 }
 
 TEST(Cantilever, AnUprightRodStandsUnderGravityAndLeansUnderASideLoad) {
-    expectNodes(bend(softRod({0, 1, 0}, 3), {}, 3), {{0, 0, 0}, {0, 0.5, 0}, {0, 1, 0}, {0, 1.5, 0}}, 1e-15);
+    expectNodes(bend(softRod({0, 1, 0}, 3), {}, 3),
+                {{0, 0, 0}, {0, 0.5, 0}, {0, 1, 0}, {0, 1.5, 0}}, 1e-15);
     CantileverWorld world;
     world.gravity = {0.3, -1, 0.2};
     expectNodes(bend(softRod({0, 1, 0}, 3), world, 3),
@@ -154,7 +156,8 @@ TEST(Cantilever, TheMirrorImageOfTheRodBendsToTheMirrorImage) {
 TEST(Cantilever, TurnsWithTheRodAboutTheVertical) {
     std::mt19937_64 random(3);
     const auto turn = [](Vec3d v) {
-        return Vec3d{std::cos(1.1) * v.x + std::sin(1.1) * v.z, v.y, std::cos(1.1) * v.z - std::sin(1.1) * v.x};
+        return Vec3d{std::cos(1.1) * v.x + std::sin(1.1) * v.z, v.y,
+                     std::cos(1.1) * v.z - std::sin(1.1) * v.x};
     };
     for (int i = 0; i < 200; ++i) {
         CantileverRod rod = randomRod(random);

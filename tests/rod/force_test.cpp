@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/ranges.h"
 
-#include <gtest/gtest.h>
-
 #include <kushi/cantilever.h>
+
+#include <gtest/gtest.h>
 
 namespace kushi {
 namespace {
@@ -60,7 +60,8 @@ TEST(Falloff, IsARampCentredOnTheEdge) {
     EXPECT_NEAR(share(right, {1, 0}, width), 0.5, 1e-12);
     EXPECT_EQ(share(right, {1, radians(-5.01)}, width), 0);
     EXPECT_EQ(share(right, {1, radians(5.01)}, width), 1);
-    EXPECT_NEAR(share(right, {1, radians(2)}, width) + share(right, {1, radians(-2)}, width), 1, 1e-12);
+    EXPECT_NEAR(share(right, {1, radians(2)}, width) + share(right, {1, radians(-2)}, width), 1,
+                1e-12);
     EXPECT_NEAR(share(right, {pi / 2, 1}, width), 0.5, 1e-12);
 }
 

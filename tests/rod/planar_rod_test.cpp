@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/planar_rod.h>
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include <kushi/planar_rod.h>
 
 namespace kushi {
 namespace {
@@ -50,9 +50,13 @@ TEST(PlanarEquilibrium, TipsAgreeWithTheHeavyElastica) {
         if (row.clampDegrees > 80 || row.parameter > 1000) continue;
         const double error = tipError(row, 20);
         const bool level = row.clampDegrees == 0 && row.selfWeight;
-        const double bound = level ? (row.parameter <= 10 ? 5e-4 : row.parameter <= 100 ? 6e-4 : 2e-3)
-                                   : (row.parameter <= 100 ? (row.selfWeight ? 4e-3 : 5e-3) : 1.2e-2);
-        EXPECT_LT(error, bound) << row.selfWeight << ' ' << row.clampDegrees << ' ' << row.parameter;
+        const double bound = level
+                                 ? (row.parameter <= 10    ? 5e-4
+                                    : row.parameter <= 100 ? 6e-4
+                                                           : 2e-3)
+                                 : (row.parameter <= 100 ? (row.selfWeight ? 4e-3 : 5e-3) : 1.2e-2);
+        EXPECT_LT(error, bound) << row.selfWeight << ' ' << row.clampDegrees << ' '
+                                << row.parameter;
         ++rows;
     }
     EXPECT_GT(rows, 60);

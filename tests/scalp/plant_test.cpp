@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/follicles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include <kushi/follicles.h>
 
 namespace kushi {
 namespace {
@@ -48,8 +48,10 @@ double meanArcAlongTheta(const Ellipsoid& e, double from, double to) {
 // Rows of an unjittered scalp: phi of each follicle by theta.
 std::map<double, std::vector<double>> rowsOf(const Follicles& follicles) {
     std::map<double, std::vector<double>> rows;
-    for (const EllipsoidAngles& at : follicles.angles) rows[at.theta].push_back(at.phi);
-    for (auto& [theta, phis] : rows) std::sort(phis.begin(), phis.end());
+    for (const EllipsoidAngles& at : follicles.angles)
+        rows[at.theta].push_back(at.phi);
+    for (auto& [theta, phis] : rows)
+        std::sort(phis.begin(), phis.end());
     return rows;
 }
 
@@ -91,8 +93,8 @@ TEST(Plant, EveryFollicleLiesOnTheEllipsoidAtItsAngles) {
     }
 }
 
-// Jitter moves each follicle by at most half of jitter spacings along both; unjittered follicles have
-// the same keys.
+// Jitter moves each follicle by at most half of jitter spacings along both; unjittered follicles
+// have the same keys.
 TEST(Plant, JitterStaysWithinItsReachAndFillsIt) {
     const Follicles still = *plant(scalp(0.003, 0), 3);
     const Follicles moved = *plant(scalp(0.003, 0.8), 3);
@@ -117,20 +119,24 @@ TEST(Plant, DensityIsTheSameEverywhere) {
     const double perArea = 1 / (0.0015 * 0.0015);
     for (double theta = 20; theta < 160; theta += 35) {
         for (double phi = -180; phi < 180; phi += 60) {
-            s.regions = {{{radians(theta), radians(theta + 35)}, {radians(phi), radians(phi + 60)}}};
+            s.regions = {
+                {{radians(theta), radians(theta + 35)}, {radians(phi), radians(phi + 60)}}};
             double area = 0;
             for (int i = 0; i < 100; ++i) {
                 const double t = radians(theta + 35 * (i + 0.5) / 100);
                 for (int k = 0; k < 60; ++k) {
                     const double p = radians(phi + 60 * (k + 0.5) / 60);
-                    const Vec3d byTheta = s.ellipsoid.point({t + 1e-5, p}) - s.ellipsoid.point({t - 1e-5, p});
-                    const Vec3d byPhi = s.ellipsoid.point({t, p + 1e-5}) - s.ellipsoid.point({t, p - 1e-5});
+                    const Vec3d byTheta =
+                        s.ellipsoid.point({t + 1e-5, p}) - s.ellipsoid.point({t - 1e-5, p});
+                    const Vec3d byPhi =
+                        s.ellipsoid.point({t, p + 1e-5}) - s.ellipsoid.point({t, p - 1e-5});
                     area += length(cross(byTheta, byPhi)) / 4e-10 * radians(0.35) * radians(1);
                 }
             }
             const double expected = area * perArea;
             // The mean meridian is up to 9 % longer or shorter than the local one.
-            EXPECT_NEAR(static_cast<double>(plant(s, 1)->size()) / expected, 1, 0.15) << theta << ' ' << phi;
+            EXPECT_NEAR(static_cast<double>(plant(s, 1)->size()) / expected, 1, 0.15)
+                << theta << ' ' << phi;
         }
     }
 }
@@ -140,7 +146,8 @@ TEST(Plant, MeetsACountWithinHalfAPercent) {
         Scalp s = scalp(0, 0.5);
         s.spacing.reset();
         s.count = count;
-        s.regions = {{{0, radians(100)}, {}}, {{radians(90), radians(130)}, {radians(90), radians(270)}}};
+        s.regions = {{{0, radians(100)}, {}},
+                     {{radians(90), radians(130)}, {radians(90), radians(270)}}};
         EXPECT_NEAR(static_cast<double>(plant(s, 9)->size()), count, 0.005 * count) << count;
     }
 }
@@ -157,8 +164,8 @@ TEST(Plant, RegionsAreAUnionAndTestTheJitteredPlace) {
         const auto [theta, phi] = all.angles[i];
         const double turned = phi < 0 ? phi + 2 * pi : phi;
         const bool inTop = theta <= radians(60);
-        const bool inBack = theta >= radians(30) && theta <= radians(120) && turned >= radians(90) &&
-                            turned <= radians(270);
+        const bool inBack = theta >= radians(30) && theta <= radians(120) &&
+                            turned >= radians(90) && turned <= radians(270);
         if (inTop || inBack) expected.insert(all.keys[i]);
     }
     EXPECT_EQ(std::set<std::uint64_t>(grown.keys.begin(), grown.keys.end()), expected);
@@ -170,7 +177,8 @@ TEST(Plant, TheSeedDecidesAndNothingElse) {
     EXPECT_EQ(plant(s, 5)->roots, plant(s, 5)->roots);
     EXPECT_NE(plant(s, 5)->roots, plant(s, 6)->roots);
     const Follicles follicles = *plant(s, 5);
-    EXPECT_EQ(std::set<std::uint64_t>(follicles.keys.begin(), follicles.keys.end()).size(), follicles.size());
+    EXPECT_EQ(std::set<std::uint64_t>(follicles.keys.begin(), follicles.keys.end()).size(),
+              follicles.size());
 }
 
 TEST(Plant, RefusesMoreThanAMachineCanHold) {

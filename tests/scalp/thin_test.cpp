@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <kushi/follicles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include <kushi/follicles.h>
 
 namespace kushi {
 namespace {
@@ -36,7 +36,8 @@ TEST(Thin, KeepsASubsetInItsOrder) {
     ASSERT_EQ(some.size(), 321U);
     std::size_t at = 0;
     for (std::size_t i = 0; i < some.size(); ++i) {
-        while (at < all.size() && all.keys[at] != some.keys[i]) ++at;
+        while (at < all.size() && all.keys[at] != some.keys[i])
+            ++at;
         ASSERT_LT(at, all.size());
         EXPECT_EQ(all.roots[at], some.roots[i]);
     }
@@ -45,7 +46,8 @@ TEST(Thin, KeepsASubsetInItsOrder) {
 TEST(Thin, WhatASmallerCountKeepsALargerOneKeepsToo) {
     const Follicles all = planted();
     std::set<std::uint64_t> last;
-    for (const std::size_t count : {1UL, 2UL, 10UL, 77UL, 300UL, 301UL, 1000UL, all.size() / 2, all.size() - 1}) {
+    for (const std::size_t count :
+         {1UL, 2UL, 10UL, 77UL, 300UL, 301UL, 1000UL, all.size() / 2, all.size() - 1}) {
         const Follicles some = thin(all, count);
         ASSERT_EQ(some.size(), count);
         const std::set<std::uint64_t> keys(some.keys.begin(), some.keys.end());
@@ -56,8 +58,8 @@ TEST(Thin, WhatASmallerCountKeepsALargerOneKeepsToo) {
     EXPECT_EQ(thin(all, 0).size(), 0U);
 }
 
-// Points at random have their nearest neighbour at 0.5 spacings on average, with a standard deviation
-// of 0.52 of that; an even spread keeps them far apart.
+// Points at random have their nearest neighbour at 0.5 spacings on average, with a standard
+// deviation of 0.52 of that; an even spread keeps them far apart.
 TEST(Thin, SpreadsWhatItKeepsEvenly) {
     const Follicles all = planted();
     for (const std::size_t count : {200UL, 500UL, 900UL, 1500UL}) {
@@ -68,7 +70,8 @@ TEST(Thin, SpreadsWhatItKeepsEvenly) {
             mean += d / static_cast<double>(nearest.size());
             squares += d * d / static_cast<double>(nearest.size());
         }
-        const double ideal = all.spacing * std::sqrt(static_cast<double>(all.size()) / static_cast<double>(count));
+        const double ideal =
+            all.spacing * std::sqrt(static_cast<double>(all.size()) / static_cast<double>(count));
         EXPECT_GT(mean, 0.72 * ideal) << count;
         EXPECT_LT(std::sqrt(squares - mean * mean), 0.25 * mean) << count;
         EXPECT_GT(*std::min_element(nearest.begin(), nearest.end()), 0.3 * ideal) << count;

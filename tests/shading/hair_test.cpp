@@ -135,7 +135,10 @@ TEST(Shade, DoesNotCareWhichEndIsTheRoot) {
 }
 
 TEST(Shade, HasNoHighlightFromStraightBehind) {
-    EXPECT_EQ(shaded(upright(), {1, 0, 0}, {-1, 0, 0}, only(&HairLook::specular))[1], Rgb{});
+    for (const float off : {0.0F, 5e-5F}) {
+        const auto colors = shaded(upright(), {1, 0, 0}, {-1, 0, off}, only(&HairLook::specular));
+        EXPECT_EQ(colors[1], Rgb{}) << off;
+    }
     // Just beside it, H is defined and square to the hair.
     EXPECT_NEAR(highlight(0, 0, 179, 80), 1, 1e-3);
 }

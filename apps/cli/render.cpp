@@ -48,9 +48,10 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
             *style, arguments.input, arguments.flags, !arguments.reportPath.empty());
         if (!groom) return groom.problems();
         scene.strands = withInnerPieces(*groom);
-        scene.head = headOf(*style);
         scene.report = groom->report;
         clock.add(groom->report.stages);
+        scene.head = headOf(*style);
+        clock.end("head");
         return scene;
     }
     if (arguments.flags.count || arguments.flags.segments || !arguments.flags.method.empty()) {

@@ -26,8 +26,10 @@ struct View {
 /// `left` has the camera at the person's left (-z). Anything else is a problem that lists these.
 Result<View> parseView(const std::string& text);
 
-/// A camera in the direction `view` that sees the whole ball around `bounds`, for a picture of
-/// width / height = `aspect`. Around bounds that are empty or a point the ball has 10 cm radius.
+/// A camera in the direction `view` that looks at the middle of `bounds` and sees all of the box,
+/// which fills at most 94 % of the picture's height and width.
+///
+/// aspect  width / height of the picture, > 0
 Camera frame(const Bounds& bounds, View view, double aspect);
 
 }  // namespace kushi

@@ -13,6 +13,9 @@ namespace kushi {
 
 namespace {
 
+// Share of the picture's height and width that frame() fills.
+constexpr double margin = 0.94;
+
 struct NamedView {
     std::string_view name;
     double yaw, pitch;  // degrees
@@ -67,12 +70,8 @@ Result<View> parseView(const std::string& text) {
 
 Camera frame(const Bounds& bounds, View view, double aspect) {
     const Vec3d center = bounds.empty() ? Vec3d{} : bounds.center().as<double>();
-    const double radius = bounds.radius() > 0 ? bounds.radius() : 0.1;
-
-    Camera camera;
-    const double halfHeight = std::tan(0.5 * camera.verticalFieldOfView);
-    const double halfAngle = std::atan(halfHeight * std::min(1.0, aspect));
-    const double distance = radius / std::sin(halfAngle);
+    const Vec3d half = bounds.radius() > 0 ? (0.5F * (bounds.high - bounds.low)).as<double>()
+                                           : Vec3d{0.1, 0.1, 0.1};
 
     // The direction of the view as a point on the unit sphere, and its derivative by pitch, which
     // is a useful upward direction at the poles too.
@@ -80,10 +79,27 @@ Camera frame(const Bounds& bounds, View view, double aspect) {
     const double sinPitch = std::sin(view.pitch);
     const Vec3d level = {std::cos(view.yaw), 0, std::sin(view.yaw)};
     const Vec3d direction = cosPitch * level + Vec3d{0, sinPitch, 0};
+    const Vec3d up = Vec3d{0, cosPitch, 0} - sinPitch * level;
+    const Vec3d side = cross(up, direction);
+
+    // Far enough for every corner of the box to lie inside the picture's margin.
+    Camera camera;
+    const double slope = margin * std::tan(0.5 * camera.verticalFieldOfView);
+    double distance = 0;
+    for (const double x : {-half.x, half.x}) {
+        for (const double y : {-half.y, half.y}) {
+            for (const double z : {-half.z, half.z}) {
+                const Vec3d corner = {x, y, z};
+                const double reach =
+                    std::max(std::abs(dot(corner, up)), std::abs(dot(corner, side)) / aspect);
+                distance = std::max(distance, dot(corner, direction) + reach / slope);
+            }
+        }
+    }
 
     camera.eye = (center + distance * direction).as<float>();
     camera.target = center.as<float>();
-    camera.up = (Vec3d{0, cosPitch, 0} - sinPitch * level).as<float>();
+    camera.up = up.as<float>();
     return camera;
 }
 

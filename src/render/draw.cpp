@@ -23,6 +23,7 @@ public:
           samples_(grid.tileSize()) {}
 
     void operator()(const TileItems& items) {
+        if (items.segments.empty() && items.triangles.empty()) return;
         samples_.clear(items.x, items.y);
         paints_.assign(1, paintOf(options_.background));
         // Strands come in any order, so every segment is far from the last one in memory.

@@ -28,6 +28,35 @@ Rgb mix(Rgb a, Rgb b, double share) {
     return a * (1 - s) + b * s;
 }
 
+/// The samples of one pixel.
+struct PixelSamples {
+    const SampleTile& tile;
+    int x, y;  // the first one's place in the tile
+    int side;
+
+    bool empty() const {
+        std::uint32_t ids = 0;
+        for (int j = 0; j < side; ++j) {
+            const SampleTile::Key* key = tile.at(x, y + j);
+            for (int i = 0; i < side; ++i)
+                ids |= SampleTile::id(key[i]);
+        }
+        return ids == 0;
+    }
+
+    Float4 mean(std::span<const Paint> paints) const {
+        Float4 sum{};
+        for (int j = 0; j < side; ++j) {
+            const SampleTile::Key* key = tile.at(x, y + j);
+            for (int i = 0; i < side; ++i) {
+                const Paint& paint = paints[SampleTile::id(key[i])];
+                sum += paint.at(static_cast<float>(x + i), static_cast<float>(y + j));
+            }
+        }
+        return sum / static_cast<float>(side * side);
+    }
+};
+
 }  // namespace
 
 Paint paintOf(Rgb color) {
@@ -76,24 +105,13 @@ void resolve(const SampleTile& tile, std::span<const Paint> paints, int supersam
     const int top = tile.y() / supersample;
     const int columns = std::min(side, image.width - left);
     const int rows = std::min(side, image.height - top);
-    const float share = 1.0F / static_cast<float>(supersample * supersample);
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            Float4 sum{};
-            std::uint32_t ids = 0;
-            for (int j = 0; j < supersample; ++j) {
-                const int y = row * supersample + j;
-                const SampleTile::Key* key = tile.at(column * supersample, y);
-                for (int i = 0; i < supersample; ++i, ++key) {
-                    const auto x = static_cast<float>(column * supersample + i);
-                    const std::uint32_t id = SampleTile::id(*key);
-                    sum += paints[id].at(x, static_cast<float>(y));
-                    ids |= id;
-                }
-            }
-            if (ids == 0) continue;
-            sum *= share;
-            image.at(left + column, top + row) = {sum[0], sum[1], sum[2]};
+            const PixelSamples samples = {tile, column * supersample, row * supersample,
+                                          supersample};
+            if (samples.empty()) continue;
+            const Float4 mean = samples.mean(paints);
+            image.at(left + column, top + row) = {mean[0], mean[1], mean[2]};
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/color.h>
 #include <kushi/ellipsoid.h>
 #include <kushi/result.h>
 
@@ -30,6 +31,9 @@ struct RootRange {
     Range phi;    ///< within [-2 pi, 2 pi], spanning at most a turn; may run past pi
 };
 
+/// The follicles in any of the ranges; RootRanges(1) is all, an empty one none.
+using RootRanges = std::vector<RootRange>;
+
 /// Where in space, in world axes [m].
 struct Box {
     Range x, y, z;
@@ -41,7 +45,7 @@ struct Scalp {
     std::optional<double> spacing;  ///< m between follicles; exactly one of spacing and count
     std::optional<int> count;       ///< follicles
     double jitter = 0.5;            ///< each follicle moves by up to +-jitter/2 spacings, in [0, 1]
-    std::vector<RootRange> regions = std::vector<RootRange>(1);  ///< their union
+    RootRanges regions = RootRanges(1);
 };
 
 /// Direction in which unloaded hair leaves the scalp.
@@ -60,6 +64,8 @@ struct Hair {
     std::optional<double> flexuralRigidity;  ///< N m2; replaces the value from modulus and diameter
     double stiffness = 1;                    ///< times the rigidity
     Growth growth = Growth::Normal;
+    Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself; dark brown
+    double variation = 0.12;  ///< each strand's lightness varies by up to +- this share, in [0, 1]
 
     /// EI of the round section, or what replaces it, times stiffness [N m2].
     double rigidity() const;
@@ -84,7 +90,7 @@ struct Falloff {
 
 /// An external force on some strands in some place (Usami & Anjyo 1992, 2.4, figure 7).
 struct Force {
-    RootRange roots;
+    RootRanges roots = RootRanges(1);
     Box within;
     ForceDirection direction;
     double magnitude = 1;  ///< times the hair's own weight; negative reverses
@@ -103,7 +109,7 @@ struct Cut {
         double y = 0;       ///< height of the root [m]
         double length = 0;  ///< m
     };
-    RootRange roots;
+    RootRanges roots = RootRanges(1);
     std::optional<double> below;  ///< height [m]
     std::vector<Keep> keep;       ///< by ascending y; linear between, constant beyond the ends
     CutMode mode = CutMode::Settle;

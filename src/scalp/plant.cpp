@@ -30,11 +30,6 @@ EllipsoidAngles properAngles(EllipsoidAngles at) {
     return at;
 }
 
-bool grows(const Scalp& scalp, EllipsoidAngles at) {
-    return std::any_of(scalp.regions.begin(), scalp.regions.end(),
-                       [at](const RootRange& region) { return contains(region, at); });
-}
-
 Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double spacing,
                            std::uint64_t seed) {
     const Ellipsoid& ellipsoid = scalp.ellipsoid;
@@ -60,7 +55,7 @@ Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double
             at.theta +=
                 reach * uniformSigned(mixKey(key, JitterTheta)) / meridianSpeed(ellipsoid, at);
             at = properAngles(at);
-            if (!grows(scalp, at)) continue;
+            if (!contains(scalp.regions, at)) continue;
 
             follicles.roots.push_back(ellipsoid.point(at));
             follicles.angles.push_back(at);

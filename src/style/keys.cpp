@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/keys.h"
 
+#include <kushi/head.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -11,24 +13,16 @@ namespace {
 
 // Keys of the format that this version does not read yet, in whatever table, and what to do now.
 // When one arrives it moves to the tables of keys.h.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> later = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> later = {{
     {"curl", "hair is straight when unloaded, leave it out"},
     {"wave", "hair is straight when unloaded, leave it out"},
     {"clump", "leave it out"},
     {"flyaway", "leave it out"},
-    {"color", "all hair has the same colour, leave it out"},
-    {"variation", "all hair has the same colour, leave it out"},
     {"taper", "hair is equally thick from root to tip, leave it out"},
     {"set", "leave it out"},
     {"shear_modulus", "hair does not twist, leave it out"},
     {"groom", "plant the hair with [part.scalp]"},
-    {"where", "give the range as theta and phi in degrees, as in theta = [0, 60]"},
 }};
-
-// Heights of the head: later versions take them as strings where this one takes cm, and as keys of
-// [head].
-constexpr std::array<std::string_view, 10> landmarks = {
-    "crown", "hairline", "brows", "eyes", "nose", "ears", "lips", "chin", "nape", "shoulders"};
 
 // Optimal string alignment distance (Damerau 1964): three rows of the usual table.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -55,7 +49,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string_view> laterKeyAdvice(std::string_view key) {
-    if (isLandmark(key)) return "give heights in cm where they are needed";
+    // [head] will take heights of the user's own head.
+    if (landmarkHeight(key)) return "landmarks are those of the built-in head, leave it out";
     const auto* const found =
         std::ranges::find(later, key, &std::pair<std::string_view, std::string_view>::first);
     if (found == later.end()) return std::nullopt;
@@ -66,10 +61,6 @@ std::vector<std::string_view> laterKeys() {
     std::vector<std::string_view> keys(later.size());
     std::ranges::transform(later, keys.begin(), [](const auto& entry) { return entry.first; });
     return keys;
-}
-
-bool isLandmark(std::string_view name) {
-    return std::ranges::find(landmarks, name) != landmarks.end();
 }
 
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates) {

@@ -35,15 +35,15 @@ inline constexpr TableKeys part = {"[[part]]", {"name", "scalp", "hair", "force"
 inline constexpr TableKeys scalp = {"[part.scalp]",
                                     {"ellipsoid", "spacing", "count", "jitter", "regions"}};
 inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
-inline constexpr TableKeys regions = {"regions", {"theta", "phi"}};
+inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
 inline constexpr TableKeys hair = {
     "[part.hair]",
     {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
-     "flexural_rigidity", "stiffness", "growth"}};
+     "flexural_rigidity", "stiffness", "growth", "color", "variation"}};
 inline constexpr TableKeys force = {"[[part.force]]",
                                     {"roots", "within", "direction", "magnitude", "falloff"}};
 inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode"}};
-inline constexpr TableKeys roots = {"roots", {"theta", "phi"}};
+inline constexpr TableKeys roots = {"roots", {"where", "theta", "phi"}};
 inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
@@ -60,9 +60,6 @@ std::optional<std::string_view> laterKeyAdvice(std::string_view key);
 
 /// Names of all such keys.
 std::vector<std::string_view> laterKeys();
-
-/// Whether a string names a height of the head, which only later versions know.
-bool isLandmark(std::string_view name);
 
 /// The candidate most like `name`, if it is alike enough to be meant: at most one slip (a letter
 /// missing, added, wrong, or two swapped) for every three letters; empty otherwise.

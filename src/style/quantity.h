@@ -3,6 +3,7 @@
 
 #include <kushi/vec.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace kushi {
@@ -39,6 +40,11 @@ inline double fromGramsPerCubicCentimetre(double value) {
     return value * 1e3;
 }
 
+/// The inverse of the sRGB transfer function (IEC 61966-2-1).
+inline double fromSrgb(double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 inline constexpr Quantity gravity = {-100, 100, "times the earth's"};
 
 inline constexpr Quantity place = {-1000, 1000, "cm", fromCentimetres};
@@ -59,6 +65,9 @@ inline constexpr Quantity density = {
     0.1, 10, "g/cm3", fromGramsPerCubicCentimetre, {{"kg/m3", 1e-3}}};
 inline constexpr Quantity flexuralRigidity = {1e-12, 1, "N m2"};
 inline constexpr Quantity stiffness = {0.001, 1000, ""};
+
+inline constexpr Quantity color = {0, 1, "", fromSrgb, {{"of 255", 1.0 / 255}}};
+inline constexpr Quantity variation = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 
 inline constexpr Quantity direction = {-1000, 1000, ""};
 inline constexpr Quantity magnitude = {-1000, 1000, "times the hair's own weight"};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace kushi {
 
@@ -45,8 +46,20 @@ inline double share(const RootRange& roots, EllipsoidAngles at, double width = 0
     return share(theta, at.theta, width) * best;
 }
 
+/// Share of a union: the largest of its ranges'.
+inline double share(std::span<const RootRange> roots, EllipsoidAngles at, double width = 0) {
+    double best = 0;
+    for (const RootRange& range : roots)
+        best = std::max(best, share(range, at, width));
+    return best;
+}
+
 /// Whether a root range, whose ends belong to it, holds a follicle.
 inline bool contains(const RootRange& roots, EllipsoidAngles at) {
+    return share(roots, at) > 0;
+}
+
+inline bool contains(std::span<const RootRange> roots, EllipsoidAngles at) {
     return share(roots, at) > 0;
 }
 

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/read_number.h"
 
-#include "style/keys.h"
 #include "style/spelling.h"
 
 namespace kushi {
 
 namespace {
-
-std::string expectedNumber(const Quantity& quantity) {
-    std::string text =
-        "a number from " + plainNumber(quantity.low) + " to " + plainNumber(quantity.high);
-    if (!quantity.unit.empty()) text += ' ' + std::string(quantity.unit);
-    return text;
-}
 
 bool holds(const Quantity& quantity, double value) {
     return value >= quantity.low && value <= quantity.high;
@@ -29,28 +21,25 @@ std::string unitHint(const Quantity& quantity, double value, const std::string& 
     return {};
 }
 
-void reportString(const Node& node, std::string_view name, const Quantity& quantity,
-                  Diagnostics& problems) {
-    const std::string& text = node.string();
-    if (isLandmark(text)) {
-        problems.add(node.begin, std::string(name) + ": \"" + text +
-                                     "\" is a landmark of the head, which this version "
-                                     "does not have yet; give " +
-                                     expectedNumber(quantity));
-        return;
-    }
-    const bool looksNumeric =
-        !text.empty() && std::string_view("+-.0123456789").find(text[0]) != std::string_view::npos;
-    problems.unexpected(name, node, expectedNumber(quantity),
-                        looksNumeric ? "numbers stand without quotes and units" : "");
+}  // namespace
+
+std::string expectedNumber(const Quantity& quantity) {
+    std::string text =
+        "a number from " + plainNumber(quantity.low) + " to " + plainNumber(quantity.high);
+    if (!quantity.unit.empty()) text += ' ' + std::string(quantity.unit);
+    return text;
 }
 
-}  // namespace
+std::string stringHint(std::string_view text) {
+    const bool looksNumeric =
+        !text.empty() && std::string_view("+-.0123456789").find(text[0]) != std::string_view::npos;
+    return looksNumeric ? "numbers stand without quotes and units" : "";
+}
 
 std::optional<double> readNumber(const Node& node, std::string_view name, const Quantity& quantity,
                                  Diagnostics& problems) {
     if (node.kind == Kind::String) {
-        reportString(node, name, quantity, problems);
+        problems.unexpected(name, node, expectedNumber(quantity), stringHint(node.string()));
         return std::nullopt;
     }
     if (!node.isNumber()) {

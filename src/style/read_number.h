@@ -21,4 +21,13 @@ std::optional<double> readNumber(const Node& node, std::string_view name, const 
 std::optional<Vec3d> readVector(const Node& node, std::string_view name, const Quantity& quantity,
                                 Diagnostics& problems);
 
+/// A height in m, given in cm or as the name of a landmark of the built-in head.
+std::optional<double> readHeight(const Node& node, std::string_view name, Diagnostics& problems);
+
+/// "a number from LOW to HIGH UNIT", as problems put it.
+std::string expectedNumber(const Quantity& quantity);
+
+/// What to tell who wrote a string for a number: a hint if it looks like one, or nothing.
+std::string stringHint(std::string_view text);
+
 }  // namespace kushi

@@ -77,9 +77,10 @@ Falloff readFalloff(const Node& node, ReadContext& context) {
     return falloff;
 }
 
-RootRange readRootsOf(const TableReader& table) {
-    const Node* roots = table.table("roots", tables::roots);
-    return roots != nullptr ? readRootRange(*roots, tables::roots, table.context()) : RootRange{};
+void readRoots(const TableReader& table, RootRanges& out) {
+    if (const Node* roots = table.table("roots", tables::roots)) {
+        out = readRootRanges(*roots, tables::roots, table.context());
+    }
 }
 
 // `last` is the height of the pair before, in m.
@@ -89,7 +90,7 @@ std::optional<Cut::Keep> readPair(const Node& node, double last, ReadContext& co
                                     "a pair of cm, [height of the root, length left]");
         return std::nullopt;
     }
-    const auto y = readNumber(node.items[0], "keep", quantities::place, context.problems);
+    const auto y = readHeight(node.items[0], "keep", context.problems);
     const auto length = readNumber(node.items[1], "keep", quantities::lengthLeft, context.problems);
     if (!y || !length) return std::nullopt;
     if (*y <= last) {
@@ -116,7 +117,9 @@ std::vector<Cut::Keep> readKeep(const Node& node, ReadContext& context) {
 }
 
 void readExtent(const TableReader& table, Cut& cut) {
-    table.number("below", quantities::place, cut.below);
+    if (const Node* below = table.find("below")) {
+        cut.below = readHeight(*below, "below", table.context().problems);
+    }
     if (const Node* keep = table.find("keep")) cut.keep = readKeep(*keep, table.context());
     table.requireOne("below", "keep", "below = 3.5");
 }
@@ -126,7 +129,7 @@ void readExtent(const TableReader& table, Cut& cut) {
 Force readForce(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::force, context);
     Force force;
-    force.roots = readRootsOf(table);
+    readRoots(table, force.roots);
     if (const Node* within = table.table("within", tables::within)) {
         force.within = readBox(*within, context);
     }
@@ -141,7 +144,7 @@ Force readForce(const Node& node, ReadContext& context) {
 Cut readCut(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::cut, context);
     Cut cut;
-    cut.roots = readRootsOf(table);
+    readRoots(table, cut.roots);
     readExtent(table, cut);
     table.choice<CutMode>("mode", {{"hide", CutMode::Hide}, {"settle", CutMode::Settle}}, cut.mode);
     return cut;

@@ -17,8 +17,9 @@ Hair readHair(const Node& node, ReadContext& context);
 Force readForce(const Node& node, ReadContext& context);
 Cut readCut(const Node& node, ReadContext& context);
 
-/// { theta = [low, high], phi = [low, high] }, either of which may be left out.
-RootRange readRootRange(const Node& node, const TableKeys& kind, ReadContext& context);
+/// { theta = [low, high], phi = [low, high] }, either of which may be left out, or
+/// { where = "fringe" } with the name of a zone of the built-in head.
+RootRanges readRootRanges(const Node& node, const TableKeys& kind, ReadContext& context);
 /// { x = [low, high], y = ..., z = ... }, any of which may be left out.
 Box readBox(const Node& node, ReadContext& context);
 

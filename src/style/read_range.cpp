@@ -3,6 +3,8 @@
 #include "style/read_parts.h"
 #include "style/spelling.h"
 
+#include <kushi/head.h>
+
 #include <cmath>
 #include <limits>
 
@@ -10,13 +12,19 @@ namespace kushi {
 
 namespace {
 
-enum class Ends { Finite, MayBeInfinite };
+/// What the ends of a range may be besides numbers.
+enum class Ends {
+    Plain,
+    Place,   ///< infinite
+    Height,  ///< infinite, or landmarks of the head
+};
 
 std::optional<double> readEnd(const Node& node, std::string_view name, const Quantity& quantity,
                               Ends ends, ReadContext& context) {
-    if (ends == Ends::MayBeInfinite && node.kind == Kind::Float && std::isinf(node.number())) {
+    if (ends != Ends::Plain && node.kind == Kind::Float && std::isinf(node.number())) {
         return node.number();
     }
+    if (ends == Ends::Height) return readHeight(node, name, context.problems);
     return readNumber(node, name, quantity, context.problems);
 }
 
@@ -56,23 +64,49 @@ void checkTurn(const TableReader& table) {
                                                 " degrees, expected a turn of 360 at most");
 }
 
-}  // namespace
-
-RootRange readRootRange(const Node& node, const TableKeys& kind, ReadContext& context) {
-    const TableReader table(node, kind, context);
+RootRange readAngles(const TableReader& table) {
     RootRange range;
-    readRangeAt(table, "theta", quantities::theta, Ends::Finite, range.theta);
-    readRangeAt(table, "phi", quantities::phi, Ends::Finite, range.phi);
+    readRangeAt(table, "theta", quantities::theta, Ends::Plain, range.theta);
+    readRangeAt(table, "phi", quantities::phi, Ends::Plain, range.phi);
     if (std::isfinite(range.phi.low)) checkTurn(table);
     return range;
+}
+
+RootRanges toRootRanges(std::span<const AngleRange> zone) {
+    RootRanges ranges;
+    for (const AngleRange& range : zone) {
+        ranges.push_back({{range.thetaLow, range.thetaHigh}, {range.phiLow, range.phiHigh}});
+    }
+    return ranges;
+}
+
+RootRanges readZone(const TableReader& table) {
+    for (const char* angle : {"theta", "phi"}) {
+        if (const Entry* entry = table.node().find(angle)) {
+            table.context().problems.add(
+                entry->at, "found '" + entry->key + "' beside 'where', expected one of them");
+        }
+    }
+    std::vector<std::string_view> names = {"scalp"};
+    for (const HairZone& zone : hairZones())
+        names.push_back(zone.name);
+    const auto chosen = table.chosenName("where", names);
+    return toRootRanges(!chosen || *chosen == 0 ? hairRegion() : hairZones()[*chosen - 1].ranges);
+}
+
+}  // namespace
+
+RootRanges readRootRanges(const Node& node, const TableKeys& kind, ReadContext& context) {
+    const TableReader table(node, kind, context);
+    return table.find("where") != nullptr ? readZone(table) : RootRanges{readAngles(table)};
 }
 
 Box readBox(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::within, context);
     Box box;
-    readRangeAt(table, "x", quantities::place, Ends::MayBeInfinite, box.x);
-    readRangeAt(table, "y", quantities::place, Ends::MayBeInfinite, box.y);
-    readRangeAt(table, "z", quantities::place, Ends::MayBeInfinite, box.z);
+    readRangeAt(table, "x", quantities::place, Ends::Place, box.x);
+    readRangeAt(table, "y", quantities::place, Ends::Height, box.y);
+    readRangeAt(table, "z", quantities::place, Ends::Place, box.z);
     return box;
 }
 

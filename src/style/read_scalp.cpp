@@ -41,7 +41,8 @@ Scalp readScalp(const Node& node, ReadContext& context) {
     if (const Node* regions = table.find("regions")) {
         scalp.regions.clear();
         for (const Node* region : table.tables("regions", tables::regions)) {
-            scalp.regions.push_back(readRootRange(*region, tables::regions, context));
+            const RootRanges ranges = readRootRanges(*region, tables::regions, context);
+            scalp.regions.insert(scalp.regions.end(), ranges.begin(), ranges.end());
         }
         if (regions->kind == Kind::Array && regions->items.empty()) {
             context.problems.unexpected("regions", *regions, "at least one table");

@@ -72,6 +72,15 @@ std::string plainNumber(double value) {
     return {buffer.data(), end};
 }
 
+std::string listed(std::span<const std::string_view> names, char quote) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+        text += quote + std::string(names[i]) + quote;
+    }
+    return text;
+}
+
 std::string spell(const StyleValue& value) {
     return std::visit(Speller{}, value);
 }

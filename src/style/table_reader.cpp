@@ -2,6 +2,7 @@
 #include "style/table_reader.h"
 
 #include "style/read_number.h"
+#include "style/spelling.h"
 
 #include <algorithm>
 
@@ -11,16 +12,6 @@ namespace {
 
 std::string quoted(std::string_view name) {
     return '\'' + std::string(name) + '\'';
-}
-
-// "'a', 'b' or 'c'"
-std::string listed(std::span<const std::string_view> names, char quote) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += quote + std::string(names[i]) + quote;
-    }
-    return text;
 }
 
 bool knows(const TableKeys& table, std::string_view key) {

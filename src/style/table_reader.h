@@ -57,7 +57,11 @@ public:
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t low,
                                       std::int64_t high) const;
 
-    /// One of a few strings; those of `later` are known to later versions only.
+    /// Which of a few strings the value is; those of `later` are known to later versions only.
+    std::optional<std::size_t> chosenName(std::string_view key,
+                                          std::span<const std::string_view> names,
+                                          std::span<const std::string_view> later = {}) const;
+    /// What one of a few strings stands for; those of `later` are known to later versions only.
     template <class T>
     void choice(std::string_view key, std::initializer_list<std::pair<std::string_view, T>> choices,
                 T& out, std::initializer_list<std::string_view> later = {}) const {
@@ -75,9 +79,6 @@ public:
 
 private:
     void reportUnknown(const Entry& entry);
-    std::optional<std::size_t> chosenName(std::string_view key,
-                                          std::span<const std::string_view> names,
-                                          std::span<const std::string_view> later) const;
 
     const Node& node_;
     const TableKeys& known_;

@@ -3,6 +3,7 @@
 #include "style/quantity.h"
 #include "style/spelling.h"
 
+#include <kushi/head.h>
 #include <kushi/style.h>
 
 #include <fstream>
@@ -94,6 +95,8 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::hair, "density", quantities::density},
         {tables::hair, "flexural_rigidity", quantities::flexuralRigidity},
         {tables::hair, "stiffness", quantities::stiffness},
+        {tables::hair, "color", quantities::color},
+        {tables::hair, "variation", quantities::variation},
         {tables::force, "magnitude", quantities::magnitude},
         {tables::within, "x", quantities::place},
         {tables::within, "y", quantities::place},
@@ -108,6 +111,18 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         const std::string range = plainNumber(quantity.low) + " to " + plainNumber(quantity.high);
         EXPECT_THAT(row(section(text, labelOf(table)), key), HasSubstr(range));
     }
+}
+
+TEST(Manual, NamesEveryLandmarkAndZone) {
+    const std::string heights = section(manual(), "Heights");
+    for (const Landmark& landmark : headLandmarks()) {
+        EXPECT_THAT(heights, HasSubstr("`\"" + std::string(landmark.name) + "\"`"));
+    }
+    const std::string zones = section(manual(), "Zones");
+    for (const HairZone& zone : hairZones()) {
+        EXPECT_THAT(zones, HasSubstr("`\"" + std::string(zone.name) + "\"`"));
+    }
+    EXPECT_THAT(zones, HasSubstr("`\"scalp\"`"));
 }
 
 TEST(Manual, HasExamplesThatAreStyles) {

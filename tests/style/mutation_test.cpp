@@ -32,12 +32,14 @@ regions = [ { theta = [0, 100], phi = [-180, 180] }, ]
 type = "medium"
 length = 25.0
 flexural_rigidity = 7.8e-9
+color = [0.4, 0.3, 0.2]
 [[part.force]]
 roots = { theta = [0, 90] }
-within = { y = [-inf, 3.5], z = [0, inf] }
+within = { y = [-inf, "brows"], z = [0, inf] }
 direction = [0, 1, 0]
 falloff.cm = 1
 [[part.cut]]
+roots.where = "sides"
 keep = [[-4, 2.0],
         [8, 6.0]]
 mode = """hide"""

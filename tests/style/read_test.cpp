@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/keys.h"
 
+#include <kushi/head.h>
 #include <kushi/style.h>
 
 #include <gmock/gmock.h>
@@ -69,6 +70,8 @@ TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
     EXPECT_EQ(part.hair.flexuralRigidity, std::nullopt);
     EXPECT_EQ(part.hair.stiffness, 1);
     EXPECT_EQ(part.hair.growth, Growth::Normal);
+    EXPECT_EQ(part.hair.color, (Rgb{0.11F, 0.057F, 0.034F}));
+    EXPECT_EQ(part.hair.variation, 0.12);
 }
 
 TEST(Style, TopKeysAreRead) {
@@ -130,6 +133,94 @@ TEST(Style, HairTypesAreDiametersThatADiameterReplaces) {
     EXPECT_EQ(partWith("diameter = 50\ntype = \"coarse\"\n").hair.diameter, 50e-6);
 }
 
+// By the transfer function of IEC 61966-2-1, worked out by hand.
+TEST(Style, ColorsArePickedInSrgbAndKeptInLinearLight) {
+    const Hair hair = partWith("color = [0.5, 0.04, 1]\nvariation = 0.25\n").hair;
+    EXPECT_NEAR(hair.color.r, 0.21404114, 1e-7);
+    EXPECT_NEAR(hair.color.g, 0.00309598, 1e-8);
+    EXPECT_EQ(hair.color.b, 1);
+    EXPECT_EQ(hair.variation, 0.25);
+    EXPECT_EQ(partWith("color = [0, 0.0, 0]\n").hair.color, (Rgb{}));
+}
+
+TEST(Style, NamedColorsAreInOrderOfTheirLightness) {
+    EXPECT_EQ(partWith("color = \"dark brown\"\n").hair.color, Hair().color);
+    float last = 0;
+    for (const std::string name :
+         {"black", "dark brown", "brown", "light brown", "grey", "blond", "white"}) {
+        const Rgb color = partWith("color = \"" + name + "\"\n").hair.color;
+        const float luminance = 0.2126F * color.r + 0.7152F * color.g + 0.0722F * color.b;
+        EXPECT_GT(luminance, last) << name;
+        EXPECT_LT(luminance, 1) << name;
+        last = luminance;
+    }
+    const Rgb red = partWith("color = \"red\"\n").hair.color;
+    EXPECT_GT(red.r, 3 * red.g);
+    EXPECT_GT(red.g, red.b);
+}
+
+// The heights that docs/head.md gives.
+TEST(Style, LandmarksStandForTheirHeights) {
+    const Part part = partWith(
+        "[[force]]\ndirection = \"in\"\nwithin = { y = [\"shoulders\", \"crown\"] }\n"
+        "[[force]]\ndirection = \"in\"\nwithin = { y = [-inf, \"brows\"] }\n"
+        "[[cut]]\nbelow = \"chin\"\n[[cut]]\nkeep = [[\"nape\", 2], [0, 4], [\"hairline\", 6]]\n");
+    ASSERT_EQ(part.forces.size(), 2U);
+    expectRange(part.forces[0].within.y, -0.193, 0.1135);
+    expectRange(part.forces[1].within.y, -inf, 0.022);
+    ASSERT_EQ(part.cuts.size(), 2U);
+    EXPECT_EQ(part.cuts[0].below, -0.109);
+    ASSERT_EQ(part.cuts[1].keep.size(), 3U);
+    EXPECT_EQ(part.cuts[1].keep[0].y, -0.066);
+    EXPECT_EQ(part.cuts[1].keep[2].y, 0.083);
+}
+
+TEST(Style, LandmarksAreTheBuiltInHeadsEvenWithoutAHead) {
+    const Part part = partWith("[[cut]]\nbelow = \"brows\"\n[head]\nmesh = \"none\"\n");
+    ASSERT_EQ(part.cuts.size(), 1U);
+    EXPECT_EQ(part.cuts[0].below, 0.022);
+}
+
+TEST(Style, ZonesStandForTheirRanges) {
+    const Part part = partWith(
+        "[[force]]\ndirection = \"in\"\nroots = { where = \"fringe\" }\n"
+        "[[cut]]\nbelow = 0\nroots = { where = \"sides\" }\n");
+    ASSERT_EQ(part.forces.size(), 1U);
+    ASSERT_EQ(part.forces[0].roots.size(), 1U);
+    expectRange(part.forces[0].roots[0].theta, radians(46), radians(70));
+    expectRange(part.forces[0].roots[0].phi, radians(-42), radians(42));
+    ASSERT_EQ(part.cuts.size(), 1U);
+    ASSERT_EQ(part.cuts[0].roots.size(), 2U);
+    expectRange(part.cuts[0].roots[0].phi, radians(-112), radians(-60));
+    expectRange(part.cuts[0].roots[1].phi, radians(60), radians(112));
+}
+
+TEST(Style, EveryZoneOfTheHeadCanBeNamed) {
+    for (const HairZone& zone : hairZones()) {
+        const Part part =
+            partWith("[[cut]]\nbelow = 0\nroots.where = \"" + std::string(zone.name) + "\"\n");
+        ASSERT_EQ(part.cuts.size(), 1U);
+        ASSERT_EQ(part.cuts[0].roots.size(), zone.ranges.size()) << zone.name;
+        for (std::size_t i = 0; i < zone.ranges.size(); ++i) {
+            const RootRange& range = part.cuts[0].roots[i];
+            expectRange(range.theta, zone.ranges[i].thetaLow, zone.ranges[i].thetaHigh);
+            expectRange(range.phi, zone.ranges[i].phiLow, zone.ranges[i].phiHigh);
+        }
+    }
+}
+
+TEST(Style, RegionsMayBeTheNaturalHairlineAndMore) {
+    const Style style = parsed(
+        "kushi = 1\n[scalp]\nellipsoid = { semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }\n"
+        "count = 100\nregions = [{ where = \"scalp\" }, { theta = [100, 120] }]\n"
+        "[hair]\nlength = 25\n");
+    ASSERT_EQ(style.parts.size(), 1U);
+    const RootRanges& regions = style.parts[0].scalp.regions;
+    ASSERT_EQ(regions.size(), hairRegion().size() + 1);
+    expectRange(regions.front().theta, hairRegion()[0].thetaLow, hairRegion()[0].thetaHigh);
+    expectRange(regions.back().theta, radians(100), radians(120));
+}
+
 TEST(Style, ForcesAreReadInOrder) {
     const Part part = partWith(
         "[[force]]\nroots = { theta = [0, 90], phi = [-180, 180] }\n"
@@ -138,8 +229,9 @@ TEST(Style, ForcesAreReadInOrder) {
         "[[force]]\ndirection = \"r\"\n");
     ASSERT_EQ(part.forces.size(), 2U);
     const Force& force = part.forces[0];
-    expectRange(force.roots.theta, 0, pi / 2);
-    expectRange(force.roots.phi, -pi, pi);
+    ASSERT_EQ(force.roots.size(), 1U);
+    expectRange(force.roots[0].theta, 0, pi / 2);
+    expectRange(force.roots[0].phi, -pi, pi);
     expectRange(force.within.x, -inf, 0.05);
     expectRange(force.within.y, 0.035, inf);
     expectRange(force.within.z, 0, inf);
@@ -155,7 +247,8 @@ TEST(Style, ForcesAreReadInOrder) {
     EXPECT_EQ(plain.falloff.angle, 0);
     EXPECT_EQ(plain.falloff.distance, 0);
     expectRange(plain.within.y, -inf, inf);
-    expectRange(plain.roots.theta, -inf, inf);
+    ASSERT_EQ(plain.roots.size(), 1U);
+    expectRange(plain.roots[0].theta, -inf, inf);
 }
 
 TEST(Style, NamedDirectionsAreThoseOfTheFace) {
@@ -196,7 +289,7 @@ TEST(Style, CutsAreReadInOrder) {
         "[[cut]]\nkeep = [[-4, 2.0], [8, 6], [9.5, 0]]\nmode = \"settle\"\n"
         "[[cut]]\nbelow = 0\n");
     ASSERT_EQ(part.cuts.size(), 3U);
-    expectRange(part.cuts[0].roots.theta, 0, pi / 3);
+    expectRange(part.cuts[0].roots.at(0).theta, 0, pi / 3);
     EXPECT_EQ(part.cuts[0].below, -0.035);
     EXPECT_TRUE(part.cuts[0].keep.empty());
     EXPECT_EQ(part.cuts[0].mode, CutMode::Hide);

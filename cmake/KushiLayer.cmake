@@ -5,7 +5,10 @@ add_library(kushi_options INTERFACE)
 target_compile_features(kushi_options INTERFACE cxx_std_20)
 target_compile_options(
   kushi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast
-                          -Wnon-virtual-dtor -Werror)
+                          -Wnon-virtual-dtor)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(kushi_options INTERFACE -Werror)
+endif()
 # The same bytes on every x86-64: no fused multiply-add behind our back.
 target_compile_options(kushi_options INTERFACE -ffp-contract=off)
 if(KUSHI_SANITIZE)

@@ -8,14 +8,6 @@
 
 namespace kushi {
 
-namespace {
-
-std::string plural(std::size_t number, const char* what) {
-    return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
-}
-
-}  // namespace
-
 int runCheck(const std::string& path) {
     const Result<Style> style = readStyle(path);
     if (!style) return report(style.problems());
@@ -26,9 +18,9 @@ int runCheck(const std::string& path) {
         cuts += part.cuts.size();
     }
     std::printf("%s: good (%s, %s, %s)\n", path.c_str(),
-                plural(style->parts.size(), "part").c_str(), plural(forces, "force").c_str(),
-                plural(cuts, "cut").c_str());
-    return done;
+                counted(style->parts.size(), "part").c_str(), counted(forces, "force").c_str(),
+                counted(cuts, "cut").c_str());
+    return Done;
 }
 
 }  // namespace kushi

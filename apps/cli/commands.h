@@ -7,9 +7,9 @@
 
 namespace kushi {
 
-/// Exit status of the program: 0 done; badInput for bad usage or bad input, with nothing written;
-/// failure for anything else, such as an output that cannot be written.
-enum ExitStatus { done = 0, failure = 1, badInput = 2 };
+/// Exit status of the program: Done; BadInput for bad usage or bad input, with nothing written;
+/// Failure for anything else, such as an output that cannot be written.
+enum ExitStatus { Done = 0, Failure = 1, BadInput = 2 };
 
 /// The flags of every command that settles a style.
 struct SettleFlags {
@@ -44,7 +44,7 @@ struct RodArguments {
 };
 
 // The commands; each returns the exit status.
-int runCheck(const std::string& style);
+int runCheck(const std::string& path);
 int runSettle(const SettleArguments& arguments);
 int runRender(const RenderArguments& arguments);
 int runConvert(const std::string& from, const std::string& to);

@@ -17,9 +17,9 @@ int runConvert(const std::string& from, const std::string& to) {
     if (!strands) return report(strands.problems());
     if (const Status written = writeGroom(*strands, to); !written)
         return report(written.problems());
-    std::printf("%s: %s strands, %s segments\n", to.c_str(), grouped(strands->size()).c_str(),
-                grouped(strands->segmentCount()).c_str());
-    return done;
+    std::printf("%s: %s, %s\n", to.c_str(), counted(strands->size(), "strand").c_str(),
+                counted(strands->segmentCount(), "segment").c_str());
+    return Done;
 }
 
 }  // namespace kushi

@@ -73,7 +73,7 @@ int runInfo(const std::string& path, bool json) {
     } else {
         printTable(path, summary);
     }
-    return done;
+    return Done;
 }
 
 }  // namespace kushi

@@ -41,6 +41,10 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     options.measurePenetration = measurePenetration;
     options.progress = [&bar](double share) { bar.show(share); };
     Result<SettledGroom> groom = settle(style, options);
+    if (groom && groom->strands.size() == 0) {
+        return Problem{"no hair is left: the regions hold no follicle, or the cuts leave nothing",
+                       path};
+    }
     if (groom) return groom;
     std::vector<Problem> problems = groom.problems();
     for (Problem& problem : problems)
@@ -58,6 +62,23 @@ Status hasEnding(const std::string& path, const std::vector<std::string>& ending
         list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + ending;
     }
     return Problem{std::string(what) + " must end in " + list, path};
+}
+
+Status checkOutputs(const std::string& output, const std::string& reportPath) {
+    if (!reportPath.empty()) {
+        const Status ending = hasEnding(reportPath, {".json"}, "the report");
+        if (!ending) return ending;
+    }
+    for (const std::string& path : {output, reportPath}) {
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        std::error_code unknown;
+        if (!folder.empty() && !std::filesystem::is_directory(folder, unknown)) {
+            return Problem{.message = "cannot be written: there is no folder " + folder.string(),
+                           .file = path,
+                           .system = true};
+        }
+    }
+    return std::monostate{};
 }
 
 Status writeReport(const std::string& path, const std::string& json) {

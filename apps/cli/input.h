@@ -21,6 +21,10 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
 Status hasEnding(const std::string& path, const std::vector<std::string>& endings,
                  const char* what);
 
+/// Whether the outputs of a command can be written where they are to go: their folders exist, and a
+/// report ends in .json. To be asked before any work.
+Status checkOutputs(const std::string& output, const std::string& reportPath);
+
 /// Writes the --report file, if there is one to write.
 Status writeReport(const std::string& path, const std::string& json);
 

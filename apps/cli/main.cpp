@@ -169,6 +169,18 @@ void addRod(CLI::App& program, RodArguments& arguments, int& status) {
     command->callback([&] { status = runRod(arguments); });
 }
 
+// What is wrong with the first word, if it is to be a command and is none.
+std::string checkCommand(const CLI::App& program, int argc, char** argv) {
+    std::string names;
+    for (const CLI::App* command : program.get_subcommands(nullptr)) {
+        if (argc > 1 && command->get_name() == argv[1]) return {};
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    if (argc < 2) return "say what to do: " + names;
+    if (argv[1][0] == '-') return {};
+    return "there is no command '" + std::string(argv[1]) + "'; there are " + names;
+}
+
 int runProgram(int argc, char** argv) {
     CLI::App program(description, "kushi");
     program.set_version_flag("--version", "kushi " KUSHI_VERSION, "Print the version and stop");
@@ -176,7 +188,7 @@ int runProgram(int argc, char** argv) {
     program.require_subcommand(1);
     program.get_formatter()->column_width(34);
 
-    int status = done;
+    int status = Done;
     Arguments arguments;
     addCheck(program, arguments, status);
     addSettle(program, arguments.settle, status);
@@ -185,12 +197,18 @@ int runProgram(int argc, char** argv) {
     addInfo(program, arguments, status);
     addRod(program, arguments.rod, status);
 
+    if (const std::string wrong = checkCommand(program, argc, argv); !wrong.empty()) {
+        std::fprintf(stderr, "kushi: error: %s (see kushi --help)\n", wrong.c_str());
+        return BadInput;
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help and --version
-        std::fprintf(stderr, "kushi: error: %s (see kushi --help)\n", error.what());
-        return badInput;
+        const std::string command = argv[1][0] == '-' ? "" : std::string(argv[1]) + ' ';
+        std::fprintf(stderr, "kushi: error: %s (see kushi %s--help)\n", error.what(),
+                     command.c_str());
+        return BadInput;
     }
     return status;
 }
@@ -203,12 +221,16 @@ int main(int argc, char** argv) {
     // A full disk or a size limit is an error to report, not a signal to die from.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return kushi::runProgram(argc, argv);
+        const int status = kushi::runProgram(argc, argv);
+        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+        std::fputs("kushi: error: standard output could not be written\n", stderr);
     } catch (const std::bad_alloc&) {
-        std::fputs("kushi: error: out of memory; try fewer strands (--count) or segments\n",
-                   stderr);
+        std::fputs(
+            "kushi: error: out of memory; try fewer strands (--count), segments or pixels "
+            "(--size)\n",
+            stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "kushi: error: %s\n", error.what());
     }
-    return kushi::failure;
+    return kushi::Failure;
 }

@@ -14,7 +14,7 @@ int report(const std::vector<Problem>& problems) {
     }
     const bool machine = std::any_of(problems.begin(), problems.end(),
                                      [](const Problem& problem) { return problem.system; });
-    return machine ? failure : badInput;
+    return machine ? Failure : BadInput;
 }
 
 std::string grouped(std::size_t number) {
@@ -22,6 +22,10 @@ std::string grouped(std::size_t number) {
     for (auto at = std::ssize(digits) - 3; at > 0; at -= 3)
         digits.insert(static_cast<std::size_t>(at), 1, ',');
     return digits;
+}
+
+std::string counted(std::size_t number, const char* what) {
+    return grouped(number) + ' ' + what + (number == 1 ? "" : "s");
 }
 
 }  // namespace kushi

@@ -14,4 +14,7 @@ int report(const std::vector<Problem>& problems);
 /// 50000 as "50,000".
 std::string grouped(std::size_t number);
 
+/// "1 strand", "50,000 strands".
+std::string counted(std::size_t number, const char* what);
+
 }  // namespace kushi

@@ -9,6 +9,7 @@
 #include <kushi/groom_io.h>
 #include <kushi/shade.h>
 
+#include <charconv>
 #include <cstdio>
 
 namespace kushi {
@@ -25,9 +26,10 @@ struct Scene {
 Result<std::pair<int, int>> parseSize(const std::string& text) {
     int width = 0;
     int height = 0;
-    int read = 0;
-    const bool good = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &read) == 2 &&
-                      static_cast<std::size_t>(read) == text.size();
+    const char* const end = text.data() + text.size();
+    const auto [x, widthError] = std::from_chars(text.data(), end, width);
+    const bool hasX = widthError == std::errc{} && x != end && *x == 'x';
+    const bool good = hasX && std::from_chars(x + 1, end, height).ptr == end;
     if (!good || width < 1 || height < 1 || width > 16384 || height > 16384) {
         return Problem{
             "--size is WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1024x1024; got '" + text +
@@ -104,6 +106,9 @@ int runRender(const RenderArguments& arguments) {
     if (const Status ending = hasEnding(arguments.output, {".png"}, "the picture"); !ending) {
         return report(ending.problems());
     }
+    if (const Status outputs = checkOutputs(arguments.output, arguments.reportPath); !outputs) {
+        return report(outputs.problems());
+    }
 
     StageClock clock;
     Result<Scene> scene = loadScene(arguments, clock);
@@ -116,9 +121,9 @@ int runRender(const RenderArguments& arguments) {
         !written) {
         return report(written.problems());
     }
-    std::printf("%s: %s strands (%s)\n", arguments.output.c_str(),
-                grouped(scene->strands.size()).c_str(), timesLine(clock).c_str());
-    return done;
+    std::printf("%s: %s (%s)\n", arguments.output.c_str(),
+                counted(scene->strands.size(), "strand").c_str(), timesLine(clock).c_str());
+    return Done;
 }
 
 }  // namespace kushi

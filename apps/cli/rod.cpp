@@ -23,7 +23,7 @@ int runRod(const RodArguments& arguments) {
         json["nodes"] = shape.nodes;
         json["residual"] = shape.residual;
         std::printf("%s\n", json.dump().c_str());
-        return done;
+        return Done;
     }
     const auto [x, y] = shape.nodes.back();
     std::printf("w L^3 / EI   %.4g\n", rod.weight * std::pow(rod.length, 3) / rod.rigidity);
@@ -32,7 +32,7 @@ int runRod(const RodArguments& arguments) {
     std::printf("nodes (cm)\n");
     for (const auto& [nodeX, nodeY] : shape.nodes)
         std::printf("  %9.4f %9.4f\n", 100 * nodeX, 100 * nodeY);
-    return done;
+    return Done;
 }
 
 }  // namespace kushi

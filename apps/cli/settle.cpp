@@ -23,6 +23,9 @@ int runSettle(const SettleArguments& arguments) {
         !ending) {
         return report(ending.problems());
     }
+    if (const Status outputs = checkOutputs(arguments.output, arguments.reportPath); !outputs) {
+        return report(outputs.problems());
+    }
 
     StageClock clock;
     const Result<Style> style = readStyle(arguments.input);
@@ -40,10 +43,10 @@ int runSettle(const SettleArguments& arguments) {
         !written) {
         return report(written.problems());
     }
-    std::printf("%s: %s strands, %s segments (%s)\n", arguments.output.c_str(),
-                grouped(groom->report.strands).c_str(), grouped(groom->report.segments).c_str(),
-                timesLine(clock).c_str());
-    return done;
+    std::printf("%s: %s, %s (%s)\n", arguments.output.c_str(),
+                counted(groom->report.strands, "strand").c_str(),
+                counted(groom->report.segments, "segment").c_str(), timesLine(clock).c_str());
+    return Done;
 }
 
 }  // namespace kushi

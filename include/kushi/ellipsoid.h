@@ -23,7 +23,7 @@ struct Ellipsoid {
     /// Direction from the primed axes to the world.
     Vec3d toWorldDirection(Vec3d local) const;
 
-    Vec3d point(EllipsoidAngles angles) const;
+    Vec3d point(EllipsoidAngles at) const;
     /// Angles of the surface point on the ray from the centre through the scaled `world`.
     EllipsoidAngles angles(Vec3d world) const;
 

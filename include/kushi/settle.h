@@ -41,7 +41,8 @@ struct SettleReport {
 
 /// A head of hair at rest.
 struct SettledGroom {
-    Strands strands;  ///< as exported: what cuts hide is not in it; with keys and diameters
+    Strands strands;  ///< as exported: what cuts hide is not in it; with keys,
+                      ///< diameters and linear colours
     /// Per strand: the inner end of the short piece that is drawn from the follicle towards the
     /// ellipsoid's centre, so that no gap shows over the head [m].
     std::vector<Vec3f> innerEnds;

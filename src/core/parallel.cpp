@@ -2,11 +2,15 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+
 #if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #include <thread>
 #include <vector>
 #else
+#include <optional>
+
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -38,9 +42,13 @@ void runPieces(std::size_t pieces, int threads, const std::function<void(std::si
 #else
 
 void runPieces(std::size_t pieces, int threads, const std::function<void(std::size_t)>& run) {
-    // More than the machine has would only make TBB print a warning.
     const int most = tbb::info::default_concurrency();
-    tbb::task_arena arena(threads > 0 ? std::min(threads, most) : most);
+    std::optional<tbb::global_control> more;
+    if (threads > most) {
+        more.emplace(tbb::global_control::max_allowed_parallelism,
+                     static_cast<std::size_t>(threads));
+    }
+    tbb::task_arena arena(threads > 0 ? threads : most);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces, run); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
 #include "core/random.h"
+#include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
 #include "pipeline/strand.h"
 
@@ -20,7 +21,8 @@ namespace {
 
 // Strands settled together by one thread.
 constexpr std::size_t blockSize = 256;
-// How far the drawn inner piece reaches from the follicle towards the ellipsoid's centre [m].
+// How far the drawn inner piece reaches from the follicle towards the ellipsoid's centre, and not
+// past it [m].
 constexpr double innerPiece = 0.02;
 
 class Stopwatch {
@@ -111,8 +113,10 @@ Block settleBlock(const Style& style, const Part& part, const Follicles& follicl
         }
         if (nodes.empty()) continue;
         block.strands.add(nodes, site.key);
-        const Vec3d inward = normalized(ellipsoid.center - site.root);
-        block.innerEnds.push_back((site.root + innerPiece * inward).as<float>());
+        appendHairColors(part.hair, site.key, nodes, block.strands.colors);
+        const Vec3d inward = ellipsoid.center - site.root;
+        const double reach = std::min(1.0, innerPiece / length(inward));
+        block.innerEnds.push_back((site.root + reach * inward).as<float>());
         if (measurePenetration) {
             block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
         }
@@ -134,6 +138,7 @@ void append(Strands& to, const Strands& from) {
     append(to.nodes, from.nodes);
     append(to.keys, from.keys);
     append(to.diameters, from.diameters);
+    append(to.colors, from.colors);
 }
 
 }  // namespace
@@ -191,6 +196,11 @@ Strands withInnerPieces(const SettledGroom& groom) {
         nodes.assign(1, groom.innerEnds[i]);
         nodes.insert(nodes.end(), visible.begin(), visible.end());
         strands.add(nodes, groom.strands.keys[i]);
+
+        const auto colors =
+            std::span(groom.strands.colors).subspan(groom.strands.offsets[i], visible.size());
+        strands.colors.push_back(colors[0]);
+        strands.colors.insert(strands.colors.end(), colors.begin(), colors.end());
     }
     return strands;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace kushi {
 
@@ -101,7 +102,10 @@ Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std:
     double guess = std::sqrt(area / wanted);
     Follicles enough;
     for (int round = 0; round < 60; ++round) {
-        if (area / (guess * guess) > mostSites) return tooMany();
+        if (area / (guess * guess) > mostSites) {
+            return Problem{"the regions are too small for " + std::to_string(count) +
+                           " follicles; widen them or give a smaller count"};
+        }
         Follicles planted = plantWithSpacing(scalp, meridian, guess, seed);
         const auto number = static_cast<double>(planted.size());
         (number >= wanted ? fine : coarse) = guess;

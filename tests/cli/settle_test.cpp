@@ -82,6 +82,33 @@ TEST(InfoCommand, DescribesStylesAndGroomsAlike) {
     EXPECT_THAT(runKushi("info " + folder + "/a.toml").out, testing::HasSubstr("strands     200"));
 }
 
+TEST(SettleCommand, AReportNeverReplacesAStyleOrGroom) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const std::string settle =
+        "settle " + folder + "/a.toml -o " + folder + "/a.hair --report " + folder;
+    EXPECT_EQ(runKushi(settle + "/a.toml").status, 2);
+    EXPECT_EQ(runKushi(settle + "/none/r.json").status, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder + "/a.hair"));
+    EXPECT_EQ(readBytes(folder + "/a.toml"), smallStyle());
+}
+
+TEST(SettleCommand, ACutThatLeavesNothingIsSaid) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle() + "[[cut]]\nbelow = 50\n");
+    const Outcome run = runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, testing::HasSubstr("no hair is left"));
+}
+
+TEST(SettleCommand, OutputThatCannotBePrintedIsAFailure) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const std::string command =
+        std::string(KUSHI_PROGRAM) + " info " + folder + "/a.toml >/dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+}
+
 TEST(SettleCommand, OutputsAppearWholeOrNotAtAll) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +35,19 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         ++styles;
     }
     EXPECT_GE(styles, 5);
+}
+
+// The first style that a stranger makes.
+TEST(ShippedStyles, TheOneInTheReadmeWorks) {
+    std::ifstream in(std::string(KUSHI_SOURCE_DIR) + "/README.md");
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t begin = text.find("```toml\n") + 8;
+    const Result<Style> style =
+        parseStyle(text.substr(begin, text.find("```", begin) - begin), "README.md");
+    ASSERT_TRUE(style.ok()) << toString(style.problems()[0]);
+    SettleOptions options;
+    options.count = 500;
+    EXPECT_GT(settle(*style, options)->strands.size(), 450U);
 }
 
 // Figure 9 (a): weightless hair is straight.

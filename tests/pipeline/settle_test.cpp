@@ -206,6 +206,38 @@ TEST(Settle, ReportsCountsTimesAndPenetration) {
     EXPECT_LT(*groom.report.maxPenetration, 0.002);
 }
 
+// Every strand's colour is the hair's, within the variation; the same from root to tip but for the
+// darker first 3 cm.
+TEST(Settle, ColoursVaryByStrandAndDarkenTowardsTheRoot) {
+    Style style = plain(300);
+    style.parts[0].hair.color = {0.4F, 0.2F, 0.1F};
+    style.parts[0].hair.variation = 0.2;
+    const Strands strands = settled(style).strands;
+    ASSERT_EQ(strands.colors.size(), strands.nodes.size());
+    float darkest = 1;
+    float lightest = 0;
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        const Rgb root = strands.colors[strands.offsets[i]];
+        const Rgb tip = strands.colors[strands.offsets[i + 1] - 1];
+        EXPECT_NEAR(tip.g / tip.r, 0.5, 1e-5);
+        EXPECT_NEAR(root.r / tip.r, 0.65, 1e-5);
+        darkest = std::min(darkest, tip.r / 0.4F);
+        lightest = std::max(lightest, tip.r / 0.4F);
+    }
+    EXPECT_GE(darkest, 0.8F - 1e-5F);
+    EXPECT_LT(darkest, 0.83F);
+    EXPECT_LE(lightest, 1.2F + 1e-5F);
+    EXPECT_GT(lightest, 1.17F);
+}
+
+TEST(Settle, InnerPiecesStopAtTheCentreOfASmallEllipsoid) {
+    Style style = plain(50);
+    style.parts[0].scalp.ellipsoid.semiAxes = {0.006, 0.006, 0.006};
+    const SettledGroom groom = settled(style);
+    for (const Vec3f end : groom.innerEnds)
+        EXPECT_LT(length(end), 1e-6F);
+}
+
 TEST(Settle, InnerPiecesAreDrawnAndNotExported) {
     const SettledGroom groom = settled(plain(50));
     const Strands drawn = withInnerPieces(groom);

@@ -66,7 +66,7 @@ Status hasEnding(const std::string& path, const std::vector<std::string>& ending
 
 Status checkOutputs(const std::string& output, const std::string& reportPath) {
     if (!reportPath.empty()) {
-        const Status ending = hasEnding(reportPath, {".json"}, "the report");
+        Status ending = hasEnding(reportPath, {".json"}, "the report");
         if (!ending) return ending;
     }
     for (const std::string& path : {output, reportPath}) {

@@ -38,9 +38,9 @@ Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double
     Follicles follicles;
     follicles.spacing = spacing;
 
-    std::uint64_t row = 0;
-    for (double s = 0.5 * spacing; s < meridian.total(); s += spacing, ++row) {
-        const double theta = meridian.parameterAt(s);
+    const auto rows = static_cast<std::uint64_t>(std::ceil(meridian.total() / spacing - 0.5));
+    for (std::uint64_t row = 0; row < rows; ++row) {
+        const double theta = meridian.parameterAt((static_cast<double>(row) + 0.5) * spacing);
         const ArcLength around = parallel(ellipsoid, theta);
         const double places = std::max(1.0, std::round(around.total() / spacing));
         const std::uint64_t rowKey = mixKey(seed, row);
@@ -96,7 +96,7 @@ Problem tooMany() {
 Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std::size_t count,
                              std::uint64_t seed) {
     const double area = surfaceArea(scalp.ellipsoid);
-    const double wanted = static_cast<double>(count);
+    const auto wanted = static_cast<double>(count);
     double fine = 0;                        // a spacing known to give enough
     double coarse = std::sqrt(area) * 100;  // one that gives too few
     double guess = std::sqrt(area / wanted);

@@ -14,7 +14,8 @@ namespace kushi {
 
 namespace {
 
-// The view of some follicles that nanoflann asks for.
+// The view of some follicles that nanoflann asks for, by the names it asks for.
+// NOLINTBEGIN(readability-identifier-naming)
 struct Cloud {
     const std::vector<Vec3d>& roots;
     const std::vector<std::size_t>& members;
@@ -29,6 +30,7 @@ struct Cloud {
         return false;
     }
 };
+// NOLINTEND(readability-identifier-naming)
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
                                                  3, std::size_t>;

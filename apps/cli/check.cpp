@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "messages.h"
 
-#include <kushi/style.h>
+#include <kushi/settle.h>
 
 #include <cstdio>
 
@@ -11,6 +11,10 @@ namespace kushi {
 int runCheck(const std::string& path) {
     const Result<Style> style = readStyle(path);
     if (!style) return report(style.problems());
+    const bool fromFile = isMeshPath(style->headMesh);
+    if (const Result<Mesh> head = fromFile ? headOf(*style) : Mesh{}; !head) {
+        return report(head.problems());
+    }
     std::size_t forces = 0;
     std::size_t cuts = 0;
     for (const Part& part : style->parts) {

@@ -52,7 +52,9 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
         scene.strands = withInnerPieces(*groom);
         scene.report = groom->report;
         clock.add(groom->report.stages);
-        scene.head = headOf(*style);
+        Result<Mesh> head = headOf(*style);
+        if (!head) return head.problems();
+        scene.head = std::move(*head);
         clock.end("head");
         return scene;
     }

@@ -12,6 +12,7 @@
 #include <kushi/head.h>
 #include <kushi/image.h>
 #include <kushi/mesh.h>
+#include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>
 #include <kushi/result.h>
 #include <kushi/settle.h>

@@ -57,8 +57,9 @@ struct SettledGroom {
 /// (its follicle lies below the height), it is left out.
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
 
-/// The head that the style asks for, to draw below its hair; no triangles for "none".
-Mesh headOf(const Style& style);
+/// The head that the style asks for, to draw below its hair; no triangles for "none". A file that
+/// is missing or no head is a problem.
+Result<Mesh> headOf(const Style& style);
 
 /// The strands with their inner pieces, for drawing.
 Strands withInnerPieces(const SettledGroom& groom);

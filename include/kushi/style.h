@@ -3,6 +3,7 @@
 
 #include <kushi/color.h>
 #include <kushi/ellipsoid.h>
+#include <kushi/mesh_io.h>
 #include <kushi/result.h>
 
 #include <cstdint>
@@ -137,7 +138,8 @@ struct Style {
     std::string name;
     std::uint64_t seed = 1;
     Vec3d gravity = {0, -1, 0};          ///< times the earth's
-    std::string headMesh = "mannequin";  ///< or "none"
+    std::string headMesh = "mannequin";  ///< or "none", or the path of a file for readMesh
+    MeshPlacement headPlacement;         ///< of a head from a file
     Solver solver;
     std::vector<Part> parts;
 };
@@ -145,7 +147,8 @@ struct Style {
 /// Reads and validates a style; on failure every problem found, in the order of the text.
 Result<Style> readStyle(const std::string& path);
 
-/// The same for text already in memory; `file` stands in the problems.
+/// The same for text already in memory; `file` stands in the problems, and a head's mesh is found
+/// from its folder.
 Result<Style> parseStyle(std::string_view text, const std::string& file);
 
 /// A value of the document, in the document's own units.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/atomic_file.h"
+#include "io/extension.h"
 #include "io/hair_file.h"
 #include "io/obj_file.h"
 #include "io/ply_file.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -28,21 +28,13 @@ constexpr std::array<Format, 3> formats = {{
     {".obj", parseObj, formatObj},
 }};
 
-std::string extensionOf(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return extension;
-}
-
 const Format* formatOf(const std::string& path) {
-    const auto* const found = std::ranges::find(formats, extensionOf(path), &Format::extension);
+    const auto* const found = std::ranges::find(formats, lowerExtension(path), &Format::extension);
     return found == formats.end() ? nullptr : found;
 }
 
 Problem unknownFormat(const std::string& path) {
-    const std::string extension = extensionOf(path);
+    const std::string extension = lowerExtension(path);
     return badFile(
         path, (extension.empty() ? "no extension" : "unknown extension " + inQuotes(extension)) +
                   "; strand files are .hair, .ply or .obj");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/chains.h"
 #include "io/obj_file.h"
+#include "io/obj_lines.h"
 #include "io/text.h"
 #include "io/values.h"
 
@@ -16,26 +17,6 @@ namespace {
 
 using std::to_string;
 
-/// Takes the next word; a backslash only continues a line.
-std::string_view takeObjWord(std::string_view& line) {
-    return takeWord(line, '\\');
-}
-
-bool isContinued(std::string_view line) {
-    if (line.find('#') != std::string_view::npos) return false;
-    const std::size_t last = line.find_last_not_of('\r');
-    return last != std::string_view::npos && line[last] == '\\';
-}
-
-/// Whether a groom can do without what the keyword says.
-bool isPassedOver(std::string_view keyword) {
-    static constexpr std::array<std::string_view, 17> keywords = {
-        "vn",    "vt",       "vp",       "g",          "o",        "s",
-        "mg",    "usemtl",   "mtllib",   "usemap",     "maplib",   "lod",
-        "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-    return std::ranges::find(keywords, keyword) != keywords.end();
-}
-
 /// Reads statement by statement; each function returns what is wrong, or nothing.
 class ObjReader {
 public:
@@ -47,11 +28,11 @@ public:
             return "a face; a groom has polylines (l) only: export the hair alone, as curves or "
                    "lines";
         }
-        if (keyword == "curv" || keyword == "curv2" || keyword == "surf" || keyword == "cstype") {
+        if (isObjFreeForm(keyword)) {
             return "a free-form curve or surface (" + std::string(keyword) +
                    "); a groom has polylines (l) only";
         }
-        if (!isPassedOver(keyword)) return "unknown keyword " + inQuotes(keyword);
+        if (!isObjDecoration(keyword)) return "unknown keyword " + inQuotes(keyword);
         if (keyword == "o" || keyword == "g") chaining_ = false;
         return {};
     }
@@ -156,26 +137,13 @@ private:
     bool chaining_ = false;  // the last strand is made of lines of two vertices
 };
 
-/// Takes a line and those that a backslash at the end adds to it, without comments.
-bool takeStatement(Lines& lines, std::string_view& statement) {
-    std::string_view line;
-    if (!lines.next(line)) return false;
-    const char* begin = line.data();
-    while (isContinued(line) && lines.next(line)) {
-    }
-    const auto size = static_cast<std::size_t>(line.data() + line.size() - begin);
-    statement = {begin, size};
-    statement = statement.substr(0, statement.find('#'));
-    return true;
-}
-
 }  // namespace
 
 Result<Strands> parseObj(std::string_view text, const std::string& file) {
     Lines lines(text);
     ObjReader reader;
     std::string_view statement;
-    while (takeStatement(lines, statement)) {
+    while (takeObjStatement(lines, statement)) {
         const std::string_view keyword = takeObjWord(statement);
         if (keyword.empty()) continue;
         if (std::string fault = reader.read(keyword, statement); !fault.empty()) {

@@ -104,10 +104,12 @@ bool PlyBody::canHold(const PlyElement& element) const {
     return least == 0 || element.count <= left / least;
 }
 
-std::string PlyBody::readRow(const PlyElement& element, std::span<double> values) {
+std::string PlyBody::readRow(const PlyElement& element, std::span<double> values,
+                             std::vector<double>* items) {
+    if (items != nullptr) items->clear();
     if (element.properties.empty()) return {};
-    return format_ == PlyFormat::Ascii ? readTextRow(element, values)
-                                       : readBinaryRow(element, values);
+    return format_ == PlyFormat::Ascii ? readTextRow(element, values, items)
+                                       : readBinaryRow(element, values, items);
 }
 
 bool PlyBody::atEnd() const {
@@ -115,7 +117,8 @@ bool PlyBody::atEnd() const {
     return isAllBlank(lines_.rest());
 }
 
-std::string PlyBody::readTextRow(const PlyElement& element, std::span<double> values) {
+std::string PlyBody::readTextRow(const PlyElement& element, std::span<double> values,
+                                 std::vector<double>* items) {
     std::string_view line;
     do {
         if (!lines_.next(line)) return cutShort;
@@ -127,6 +130,7 @@ std::string PlyBody::readTextRow(const PlyElement& element, std::span<double> va
         double item = 0;
         for (double k = 0; property.listCount && k < values[i] && fault.empty(); ++k) {
             fault = takeNumber(line, property, property.type, item);
+            if (items != nullptr && fault.empty()) items->push_back(item);
         }
         if (!fault.empty()) return fault;
     }
@@ -136,7 +140,8 @@ std::string PlyBody::readTextRow(const PlyElement& element, std::span<double> va
     return {};
 }
 
-std::string PlyBody::readBinaryRow(const PlyElement& element, std::span<double> values) {
+std::string PlyBody::readBinaryRow(const PlyElement& element, std::span<double> values,
+                                   std::vector<double>* items) {
     const bool bigEndian = format_ == PlyFormat::BigEndian;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const PlyProperty& property = element.properties[i];
@@ -145,9 +150,14 @@ std::string PlyBody::readBinaryRow(const PlyElement& element, std::span<double> 
         values[i] = loadNumber(type, rest_.data(), bigEndian);
         rest_.remove_prefix(sizeOf(type));
         if (!property.listCount) continue;
-        const double items = std::max(values[i], 0.0) * static_cast<double>(sizeOf(property.type));
-        if (items > static_cast<double>(rest_.size())) return cutShort;
-        rest_.remove_prefix(static_cast<std::size_t>(items));
+        const std::size_t itemSize = sizeOf(property.type);
+        const double size = std::max(values[i], 0.0) * static_cast<double>(itemSize);
+        if (size > static_cast<double>(rest_.size())) return cutShort;
+        const std::string_view list = rest_.substr(0, static_cast<std::size_t>(size));
+        for (std::size_t at = 0; items != nullptr && at < list.size(); at += itemSize) {
+            items->push_back(loadNumber(property.type, list.data() + at, bigEndian));
+        }
+        rest_.remove_prefix(list.size());
     }
     return {};
 }

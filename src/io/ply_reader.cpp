@@ -2,6 +2,7 @@
 #include "io/chains.h"
 #include "io/ply_body.h"
 #include "io/ply_file.h"
+#include "io/ply_rows.h"
 #include "io/text.h"
 #include "io/values.h"
 
@@ -89,23 +90,6 @@ std::string addVertex(const Columns& columns, const std::vector<double>& row, St
     return {};
 }
 
-/// Calls use(row) for every row, which returns what is wrong with it or nothing.
-template <class Use>
-Status readRows(PlyBody& body, const PlyElement& element, const std::string& file, const Use& use) {
-    std::vector<double> row(element.properties.size());
-    for (std::uint64_t i = 0; i < element.count && !row.empty(); ++i) {
-        std::string fault = body.readRow(element, row);
-        if (fault.empty()) fault = use(std::as_const(row));
-        if (!fault.empty()) {
-            return badFile(file,
-                           printable(element.name) + ' ' + to_string(i) + " (counted from 0) of " +
-                               to_string(element.count) + ": " + fault,
-                           body.line());
-        }
-    }
-    return std::monostate{};
-}
-
 Status readVertices(PlyBody& body, const PlyElement& element, const std::string& file,
                     Strands& vertices) {
     Columns columns;
@@ -113,7 +97,7 @@ Status readVertices(PlyBody& body, const PlyElement& element, const std::string&
         return badFile(file, std::move(fault));
     }
     vertices.nodes.reserve(element.count);
-    return readRows(body, element, file, [&](const std::vector<double>& row) {
+    return readPlyRows(body, element, file, [&](const std::vector<double>& row) {
         return addVertex(columns, row, vertices);
     });
 }
@@ -126,7 +110,7 @@ Status readStrands(PlyBody& body, const PlyElement& element, const std::string& 
     }
     offsets = {0};
     offsets.reserve(element.count + 1);
-    return readRows(body, element, file, [&](const std::vector<double>& row) -> std::string {
+    return readPlyRows(body, element, file, [&](const std::vector<double>& row) -> std::string {
         constexpr double most = std::numeric_limits<std::uint32_t>::max();
         const double segments = row[*column];
         if (!(segments >= 0) || segments != std::floor(segments)) {
@@ -148,7 +132,7 @@ Status readEdges(PlyBody& body, const PlyElement& element, const std::string& fi
     const auto isVertex = [&](double index) {
         return index >= 0 && index < static_cast<double>(vertexCount) && index == std::floor(index);
     };
-    return readRows(body, element, file, [&](const std::vector<double>& row) -> std::string {
+    return readPlyRows(body, element, file, [&](const std::vector<double>& row) -> std::string {
         for (const std::size_t column : {*from, *to}) {
             if (!isVertex(row[column])) {
                 return "its " + element.properties[column].name +
@@ -229,12 +213,8 @@ Result<Strands> parsePly(std::string_view bytes, const std::string& file) {
     PlyBody body(*header);
     Parts parts;
     for (const PlyElement& element : header->elements) {
-        if (!body.canHold(element)) {
-            return badFile(file, "cut short: the header announces " + to_string(element.count) +
-                                     " rows of element " + inQuotes(element.name) +
-                                     ", more than the file has room for");
-        }
-        Status read = std::monostate{};
+        Status read = checkRoom(body, element, file);
+        if (!read) return read.problems();
         if (element.name == "vertex") {
             read = readVertices(body, element, file, parts.vertices.emplace());
         } else if (element.name == "strand") {
@@ -242,7 +222,7 @@ Result<Strands> parsePly(std::string_view bytes, const std::string& file) {
         } else if (element.name == "edge") {
             read = readEdges(body, element, file, vertexCount, parts.edges.emplace());
         } else {
-            read = readRows(body, element, file, [](const auto&) { return std::string(); });
+            read = readPlyRows(body, element, file, [](const auto&) { return std::string(); });
         }
         if (!read) return read.problems();
     }

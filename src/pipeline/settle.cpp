@@ -183,9 +183,10 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     return groom;
 }
 
-Mesh headOf(const Style& style) {
-    if (style.headMesh == "none") return {};
-    return mannequin();
+Result<Mesh> headOf(const Style& style) {
+    if (style.headMesh == "none") return Mesh{};
+    if (style.headMesh == "mannequin") return mannequin();
+    return readMesh(style.headMesh, style.headPlacement);
 }
 
 Strands withInnerPieces(const SettledGroom& groom) {

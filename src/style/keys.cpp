@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/keys.h"
 
-#include <kushi/head.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -49,8 +47,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string_view> laterKeyAdvice(std::string_view key) {
-    // [head] will take heights of the user's own head.
-    if (landmarkHeight(key)) return "landmarks are those of the built-in head, leave it out";
     const auto* const found =
         std::ranges::find(later, key, &std::pair<std::string_view, std::string_view>::first);
     if (found == later.end()) return std::nullopt;

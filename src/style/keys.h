@@ -29,7 +29,11 @@ namespace tables {
 inline constexpr TableKeys top = {"the style",
                                   {"kushi", "name", "seed", "gravity", "head", "solver", "part",
                                    "scalp", "hair", "force", "cut"}};
-inline constexpr TableKeys head = {"[head]", {"mesh"}};
+inline constexpr TableKeys head = {
+    "[head]", {"mesh", "unit", "up", "front", "origin", "offset", "landmarks"}};
+inline constexpr TableKeys landmarks = {
+    "landmarks",
+    {"crown", "hairline", "brows", "eyes", "ears", "nose", "lips", "nape", "chin", "shoulders"}};
 inline constexpr TableKeys solver = {"[solver]", {"method", "segments", "avoidance_steps"}};
 inline constexpr TableKeys part = {"[[part]]", {"name", "scalp", "hair", "force", "cut"}};
 inline constexpr TableKeys scalp = {"[part.scalp]",
@@ -48,9 +52,9 @@ inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {&top,       &head,    &solver, &part,  &scalp,
-                                           &ellipsoid, &regions, &hair,   &force, &cut,
-                                           &roots,     &within,  &falloff};
+inline constexpr const TableKeys* all[] = {&top,   &head,      &landmarks, &solver, &part,
+                                           &scalp, &ellipsoid, &regions,   &hair,   &force,
+                                           &cut,   &roots,     &within,    &falloff};
 
 }  // namespace tables
 

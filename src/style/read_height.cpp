@@ -27,9 +27,15 @@ void reportUnknownLandmark(const Node& node, std::string_view name, Diagnostics&
 
 }  // namespace
 
-std::optional<double> readHeight(const Node& node, std::string_view name, Diagnostics& problems) {
+std::optional<double> Heights::find(std::string_view landmark) const {
+    const auto own = own_.find(landmark);
+    return own != own_.end() ? own->second : landmarkHeight(landmark);
+}
+
+std::optional<double> readHeight(const Node& node, std::string_view name, const Heights& heights,
+                                 Diagnostics& problems) {
     if (node.kind != Kind::String) return readNumber(node, name, quantities::place, problems);
-    const auto height = landmarkHeight(node.string());
+    const auto height = heights.find(node.string());
     if (!height) reportUnknownLandmark(node, name, problems);
     return height;
 }

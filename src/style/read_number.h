@@ -3,6 +3,7 @@
 
 #include "style/diagnostics.h"
 #include "style/document.h"
+#include "style/heights.h"
 #include "style/quantity.h"
 
 #include <kushi/vec.h>
@@ -21,8 +22,9 @@ std::optional<double> readNumber(const Node& node, std::string_view name, const 
 std::optional<Vec3d> readVector(const Node& node, std::string_view name, const Quantity& quantity,
                                 Diagnostics& problems);
 
-/// A height in m, given in cm or as the name of a landmark of the built-in head.
-std::optional<double> readHeight(const Node& node, std::string_view name, Diagnostics& problems);
+/// A height in m, given in cm or as the name of a landmark of the head.
+std::optional<double> readHeight(const Node& node, std::string_view name, const Heights& heights,
+                                 Diagnostics& problems);
 
 /// "a number from LOW to HIGH UNIT", as problems put it.
 std::string expectedNumber(const Quantity& quantity);

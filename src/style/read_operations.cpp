@@ -90,7 +90,7 @@ std::optional<Cut::Keep> readPair(const Node& node, double last, ReadContext& co
                                     "a pair of cm, [height of the root, length left]");
         return std::nullopt;
     }
-    const auto y = readHeight(node.items[0], "keep", context.problems);
+    const auto y = readHeight(node.items[0], "keep", context.heights, context.problems);
     const auto length = readNumber(node.items[1], "keep", quantities::lengthLeft, context.problems);
     if (!y || !length) return std::nullopt;
     if (*y <= last) {
@@ -118,7 +118,8 @@ std::vector<Cut::Keep> readKeep(const Node& node, ReadContext& context) {
 
 void readExtent(const TableReader& table, Cut& cut) {
     if (const Node* below = table.find("below")) {
-        cut.below = readHeight(*below, "below", table.context().problems);
+        const ReadContext& context = table.context();
+        cut.below = readHeight(*below, "below", context.heights, context.problems);
     }
     if (const Node* keep = table.find("keep")) cut.keep = readKeep(*keep, table.context());
     table.requireOne("below", "keep", "below = 3.5");

@@ -6,12 +6,16 @@
 #include <kushi/style.h>
 
 #include <optional>
+#include <string>
 
 namespace kushi {
 
 // One function per table of the style file. What is wrong is reported to the context, and leaves a
 // value that must not be used.
 
+/// Also the heights of the head's landmarks, in the context. A relative path of a mesh starts from
+/// `folder`.
+void readHead(const Node& node, const std::string& folder, ReadContext& context, Style& style);
 Scalp readScalp(const Node& node, ReadContext& context);
 Hair readHair(const Node& node, ReadContext& context);
 Force readForce(const Node& node, ReadContext& context);

@@ -24,7 +24,7 @@ std::optional<double> readEnd(const Node& node, std::string_view name, const Qua
     if (ends != Ends::Plain && node.kind == Kind::Float && std::isinf(node.number())) {
         return node.number();
     }
-    if (ends == Ends::Height) return readHeight(node, name, context.problems);
+    if (ends == Ends::Height) return readHeight(node, name, context.heights, context.problems);
     return readNumber(node, name, quantity, context.problems);
 }
 

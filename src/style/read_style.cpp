@@ -34,23 +34,6 @@ bool readVersion(const Node& root, Diagnostics& problems) {
     return false;
 }
 
-bool looksLikePath(const std::string& text) {
-    return text.find_first_of("./\\") != std::string::npos;
-}
-
-void readHead(const Node& node, ReadContext& context, Style& style) {
-    const TableReader table(node, tables::head, context);
-    const Node* mesh = table.find("mesh");
-    if (mesh != nullptr && mesh->kind == Kind::String && looksLikePath(mesh->string())) {
-        context.problems.add(mesh->begin,
-                             "mesh: a head from a file is not there yet in this version, expected "
-                             "\"mannequin\" or \"none\"");
-        return;
-    }
-    table.choice<std::string>("mesh", {{"mannequin", "mannequin"}, {"none", "none"}},
-                              style.headMesh);
-}
-
 Solver readSolver(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::solver, context);
     Solver solver;
@@ -143,14 +126,15 @@ void readParts(const TableReader& top, Style& style) {
     }
 }
 
-void readTop(const TableReader& table, Style& style) {
+void readTop(const TableReader& table, const std::string& folder, Style& style) {
     table.text("name", style.name);
     if (const auto seed = table.whole("seed", 0, std::numeric_limits<std::int64_t>::max())) {
         style.seed = static_cast<std::uint64_t>(*seed);
     }
     table.vector("gravity", quantities::gravity, style.gravity);
+    // Before the parts, wherever it stands: they name heights of the head.
     if (const Node* head = table.table("head", tables::head)) {
-        readHead(*head, table.context(), style);
+        readHead(*head, folder, table.context(), style);
     }
     if (const Node* solver = table.table("solver", tables::solver)) {
         style.solver = readSolver(*solver, table.context());
@@ -189,10 +173,11 @@ Result<Style> parseStyle(std::string_view text, const std::string& file) {
     if (!document) return document.problems();
 
     Diagnostics problems(*document, file);
-    ReadContext context = {problems, keepsPartAtTop(document->root)};
+    ReadContext context = {problems, keepsPartAtTop(document->root), {}};
     Style style;
     if (readVersion(document->root, problems)) {
-        readTop(TableReader(document->root, tables::top, context), style);
+        const std::string folder = std::filesystem::path(file).parent_path();
+        readTop(TableReader(document->root, tables::top, context), folder, style);
     }
     if (!problems.empty()) return problems.take();
     return style;

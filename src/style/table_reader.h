@@ -3,6 +3,7 @@
 
 #include "style/diagnostics.h"
 #include "style/document.h"
+#include "style/heights.h"
 #include "style/keys.h"
 #include "style/quantity.h"
 
@@ -23,6 +24,7 @@ namespace kushi {
 struct ReadContext {
     Diagnostics& problems;
     bool partAtTop = false;  ///< [hair] stands for [part.hair]
+    Heights heights;         ///< of the head's landmarks
 
     std::string label(const TableKeys& table) const;
 };

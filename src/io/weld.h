@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "io/faces.h"
+
+#include <kushi/mesh.h>
+
+namespace kushi {
+
+/// The mesh of triangles in metres: identical vertices are one, triangles without an area and
+/// vertices without a triangle are left out. Triangles that turn the wrong way round all together
+/// are turned, and so are normals. Where one corner has no normal, all come from the triangles.
+Mesh weld(const Faces& faces);
+
+}  // namespace kushi

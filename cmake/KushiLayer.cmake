@@ -16,7 +16,7 @@ if(KUSHI_SANITIZE)
                                                  -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(kushi_options INTERFACE -fsanitize=${KUSHI_SANITIZE})
   # GCC's own manual: sanitizers make it see uninitialized values where there are none.
-  target_compile_options(kushi_options INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(kushi_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 add_library(kushi INTERFACE)

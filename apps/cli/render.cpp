@@ -73,8 +73,11 @@ Result<Scene> loadScene(const RenderArguments& arguments, StageClock& clock) {
 
 Bounds boundsOf(const Scene& scene) {
     Bounds bounds = boundsOf(scene.strands.nodes);
-    for (const Vec3f vertex : scene.head.vertices)
-        bounds.include(vertex);
+    // A figure's legs would make its head tiny; the mannequin's base is above this.
+    constexpr float lowestFramed = -0.34F;  // m
+    for (const Vec3f vertex : scene.head.vertices) {
+        if (vertex.y > lowestFramed) bounds.include(vertex);
+    }
     return bounds;
 }
 

@@ -10,6 +10,9 @@
 
 namespace kushi {
 
+// Readers of our own, as Assimp 5.2.5 crashes, hangs and prints on damaged OBJ and PLY files and
+// hangs on GLB.
+//
 // The mesh in the bytes of a file; `file` stands in the problems. Polygons become triangles, what
 // is no surface (materials, colours, lines) is passed over. There may be no triangle at all.
 

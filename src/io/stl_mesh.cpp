@@ -33,10 +33,11 @@ Result<Faces> parseBinary(std::string_view bytes, const std::string& file) {
     }
     const auto count = load<std::uint32_t>(bytes.data() + 80);
     if (const std::uint64_t expected = binarySize(bytes); bytes.size() != expected) {
-        return badFile(file, (bytes.size() < expected ? "cut short or not an STL file: "
-                                                      : "bytes after the last facet: ") +
-                                 to_string(bytes.size()) + " bytes, but a header with " +
-                                 to_string(count) + " facets asks for " + to_string(expected));
+        return badFile(
+            file, (bytes.size() < expected ? "cut short, or not an STL file: "
+                                           : "bytes after the last facet, or not an STL file: ") +
+                      to_string(bytes.size()) + " bytes, but a header with " + to_string(count) +
+                      " facets asks for " + to_string(expected));
     }
     Faces faces;
     faces.points.reserve(3 * std::size_t{count});

@@ -49,7 +49,7 @@ inline constexpr Quantity gravity = {-100, 100, "times the earth's"};
 
 inline constexpr Quantity place = {-1000, 1000, "cm", fromCentimetres};
 /// What one unit of a mesh file is.
-inline constexpr Quantity meshUnit = {1e-6, 1e6, "cm", fromCentimetres};
+inline constexpr Quantity meshUnit = {1e-4, 1e4, "cm", fromCentimetres};
 inline constexpr Quantity semiAxis = {0.5, 100, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
 inline constexpr Quantity rotation = {-360, 360, "degrees", radians};
 inline constexpr Quantity spacing = {0.01, 10, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};

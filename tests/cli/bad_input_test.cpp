@@ -56,6 +56,24 @@ TEST(BadInput, MissingFilesAndFoldersAreNamed) {
     expectRefused(folder, "check " + folder + "/folder.toml", "folder.toml");
 }
 
+TEST(BadInput, AHeadThatIsMissingOrNoneIsNamed) {
+    const std::string folder = freshFolder();
+    const std::string style = folder + "/a.toml";
+    writeText(style, smallStyle() + "[head]\nmesh = \"heads/me.obj\"\n");
+    std::filesystem::create_directory(folder + "/heads");
+    const std::string head = folder + "/heads/me.obj";
+    expectRefused(folder, "check " + style, head + ": error: ");
+    writeText(head, "v 0 0 0\nv 30 0 0\nv 0 0.25 0\nf 1 2 3\n");
+    for (const std::string& command :
+         {"check " + style, "render " + style + " -o " + folder + "/out.png"}) {
+        expectRefused(folder, command, head + ": error: the mesh is 0.25 cm high");
+    }
+    writeText(head, "v 0 0 0\nv 30 0 0\nf 1 2 3\n");
+    expectRefused(folder, "check " + style, head + ":3: error: vertex '3' does not exist");
+    // Where nothing is drawn, the head is not needed.
+    EXPECT_EQ(runKushi("info " + style).status, 0);
+}
+
 TEST(BadInput, SettlingAGroomIsNotThereYet) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n");

@@ -33,6 +33,21 @@ bool sameBytes(const Strands& a, const Strands& b) {
            a.diameters == b.diameters;
 }
 
+TEST(HeadOf, IsTheMannequinNoneOrAFiles) {
+    Style style = plain(1);
+    Result<Mesh> head = headOf(style);
+    ASSERT_TRUE(head.ok());
+    EXPECT_GT(head->triangles.size(), 1000U);
+    style.headMesh = "none";
+    head = headOf(style);
+    ASSERT_TRUE(head.ok());
+    EXPECT_TRUE(head->triangles.empty());
+    style.headMesh = "no/such/head.obj";
+    head = headOf(style);
+    ASSERT_FALSE(head.ok());
+    EXPECT_EQ(head.problems().front().file, "no/such/head.obj");
+}
+
 TEST(Settle, GivesTheSameBytesFromAnyNumberOfThreads) {
     Style style = plain(2000);
     style.parts[0].hair.lengthVariation = 0.1;

@@ -305,11 +305,40 @@ const Malformed ranges[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Ranges, MalformedStyle, testing::ValuesIn(ranges));
 
+std::string inHead(const std::string& lines) {
+    return withTables("[head]\nmesh = \"me.glb\"\n" + lines);
+}
+
+const Malformed heads[] = {
+    {withTables("[head]\nmesh = @\"heads/me.fbx\""),
+     {R"(mesh: found the string "heads/me.fbx", expected "mannequin", "none" or a file that ends )"
+      "in .obj, .ply, .stl, .gltf or .glb"}},
+    {withTables("[head]\nmesh = @\"head\""), {R"(expected "mannequin" or "none")"}},
+    {withTables("[head]\nmesh = @5"), {"mesh: found 5"}},
+    {withTables("[head]\n@brows = 4"), {"unknown key 'brows' in [head]; it belongs in landmarks"}},
+    {withTables("[head]\n@unit = \"mm\"\nmesh = \"none\"\n@offset = [0, 0, 0]"),
+     {"'unit' places a mesh from a file, and [head] names none", "'offset' places a mesh"}},
+    {inHead("unit = @\"ft\""), {R"(expected "m", "cm", "mm" or "in")"}},
+    {inHead("unit = @0"), {"unit: found 0, expected a number from 0.0001 to 10000 cm"}},
+    {inHead("unit = @true"), {R"(unit: found true, expected "m", "cm", "mm", "in" or a number)"}},
+    {inHead("up = @\"up\""), {R"(up: found the string "up", expected "x", "y", "z", "-x")"}},
+    {inHead("up = @\"z\""), {"up and front lie along the same axis of the file"}},
+    {inHead("front = @\"-y\""), {"up and front lie along the same axis of the file"}},
+    {inHead("front = \"-x\"\nup = @\"x\""), {"up and front lie along the same axis"}},
+    {inHead("origin = @\"crwn\""), {"did you mean \"crown\"?"}},
+    {inHead("offset = @[1, 2]"), {"offset: found an array of 2, expected an array of 3"}},
+    {inHead("offset = [1, 2, @1001]"), {"offset: found 1001"}},
+    {inHead("landmarks = @2"), {"landmarks: found 2, expected a table"}},
+    {inHead("landmarks = { @brow = 2 }"),
+     {"unknown key 'brow' in landmarks; did you mean 'brows'"}},
+    {inHead("landmarks = { brows = @\"eyes\", chin = @-1001 }"),
+     {"brows: found the string \"eyes\", expected a number", "chin: found -1001"}},
+};
+INSTANTIATE_TEST_SUITE_P(Heads, MalformedStyle, testing::ValuesIn(heads));
+
 const Malformed later[] = {
     {withTables("[solver]\nmethod = @\"equilibrium\""),
      {R"(method: "equilibrium" is not there yet in this version, expected "cantilever")"}},
-    {withTables("[head]\nmesh = @\"heads/me.glb\""), {"a head from a file is not there yet"}},
-    {withTables("[head]\nmesh = \"none\"\n@brows = 4"), {"'brows' is not there yet"}},
     {inHair("@curl = { radius = 0.4, pitch = 1.5 }"), {"'curl' is not there yet"}},
     {inHair("@shear_modulus = 1.3"), {"'shear_modulus' is not there yet"}},
     {inHair("@clump = 1\n@taper = 0.5"), {"'clump' is not there", "'taper' is not there"}},

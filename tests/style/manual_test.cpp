@@ -79,6 +79,9 @@ TEST(Manual, HasTheRangesThatAreChecked) {
     };
     const Checked checked[] = {
         {tables::top, "gravity", quantities::gravity},
+        {tables::head, "unit", quantities::meshUnit},
+        {tables::head, "offset", quantities::place},
+        {tables::landmarks, "brows", quantities::place},
         {tables::scalp, "spacing", quantities::spacing},
         {tables::scalp, "jitter", quantities::jitter},
         {tables::ellipsoid, "center", quantities::place},
@@ -117,7 +120,9 @@ TEST(Manual, NamesEveryLandmarkAndZone) {
     const std::string heights = section(manual(), "Heights");
     for (const Landmark& landmark : headLandmarks()) {
         EXPECT_THAT(heights, HasSubstr("`\"" + std::string(landmark.name) + "\"`"));
+        EXPECT_THAT(tables::landmarks.keys(), testing::Contains(landmark.name));
     }
+    EXPECT_EQ(tables::landmarks.keys().size(), headLandmarks().size());
     const std::string zones = section(manual(), "Zones");
     for (const HairZone& zone : hairZones()) {
         EXPECT_THAT(zones, HasSubstr("`\"" + std::string(zone.name) + "\"`"));
@@ -135,7 +140,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 2);
+    EXPECT_EQ(examples, 3);
 }
 
 }  // namespace

@@ -181,6 +181,55 @@ TEST(Style, LandmarksAreTheBuiltInHeadsEvenWithoutAHead) {
     EXPECT_EQ(part.cuts[0].below, 0.022);
 }
 
+// Wherever [head] stands in the file.
+TEST(Style, AHeadMayHaveHeightsOfItsOwn) {
+    const std::string head = "[head]\nlandmarks = { brows = 3.5, chin = -12 }\n";
+    const std::string cuts =
+        "[[cut]]\nbelow = \"brows\"\n[[cut]]\nbelow = \"nose\"\n"
+        "[[cut]]\nkeep = [[\"chin\", 2], [\"brows\", 3]]\n"
+        "[[force]]\ndirection = \"in\"\nwithin = { y = [\"chin\", inf] }\n";
+    for (const std::string& tables : {head + cuts, cuts + head}) {
+        const Part part = partWith(tables);
+        ASSERT_EQ(part.cuts.size(), 3U);
+        EXPECT_EQ(part.cuts[0].below, 0.035);
+        EXPECT_EQ(part.cuts[1].below, -0.033);
+        ASSERT_EQ(part.cuts[2].keep.size(), 2U);
+        EXPECT_EQ(part.cuts[2].keep[0].y, -0.12);
+        ASSERT_EQ(part.forces.size(), 1U);
+        expectRange(part.forces[0].within.y, -0.12, inf);
+    }
+}
+
+TEST(Style, AHeadFromAFileIsFoundFromTheStyle) {
+    const auto headIn = [](const std::string& file, const std::string& lines) {
+        const auto style = parseStyle(smallest + "[head]\n" + lines, file);
+        EXPECT_TRUE(style.ok()) << toString(style.problems()[0]);
+        return style ? *style : Style{};
+    };
+    EXPECT_EQ(headIn("styles/a.toml", "mesh = \"heads/Me.OBJ\"\n").headMesh, "styles/heads/Me.OBJ");
+    EXPECT_EQ(headIn("a.toml", "mesh = \"me.stl\"\n").headMesh, "me.stl");
+    EXPECT_EQ(headIn("styles/a.toml", "mesh = \"/heads/me.glb\"\n").headMesh, "/heads/me.glb");
+
+    const MeshPlacement usual = headIn("a.toml", "mesh = \"me.ply\"\n").headPlacement;
+    EXPECT_EQ(usual.unit, std::nullopt);
+    EXPECT_EQ(usual.up, (Vec3d{0, 1, 0}));
+    EXPECT_EQ(usual.front, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(usual.origin, MeshOrigin::Crown);
+    EXPECT_EQ(usual.offset, Vec3d{});
+
+    const MeshPlacement placed =
+        headIn("a.toml",
+               "front = \"-y\"\nup = \"z\"\nunit = \"in\"\norigin = \"file\"\n"
+               "offset = [0, -1.5, 2]\nmesh = \"me.ply\"\n")
+            .headPlacement;
+    EXPECT_EQ(placed.unit, 0.0254);
+    EXPECT_EQ(placed.up, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(placed.front, (Vec3d{0, -1, 0}));
+    EXPECT_EQ(placed.origin, MeshOrigin::File);
+    EXPECT_EQ(placed.offset, (Vec3d{0, -0.015, 0.02}));
+    EXPECT_EQ(headIn("a", "mesh = \"a.ply\"\nunit = 12\n").headPlacement.unit, 0.12);
+}
+
 TEST(Style, ZonesStandForTheirRanges) {
     const Part part = partWith(
         "[[force]]\ndirection = \"in\"\nroots = { where = \"fringe\" }\n"
@@ -406,6 +455,7 @@ TEST(Style, EveryKnownKeyIsRead) {
     const std::pair<const TableKeys*, std::string> places[] = {
         {&tables::top, ""},
         {&tables::head, "[head]\n"},
+        {&tables::landmarks, "[head.landmarks]\n"},
         {&tables::solver, "[solver]\n"},
         {&tables::part, "[[part]]\n"},
         {&tables::scalp, "[scalp]\n"},

@@ -43,7 +43,7 @@ private:
     GltfDocument(Json root, std::string_view binary, std::string file);
 
     std::string findLayout(const Json& accessor, std::string_view type, Layout& layout);
-    std::string bufferBytes(std::uint64_t buffer, std::string_view& bytes);
+    std::string bufferBytes(std::uint64_t index, std::string_view& bytes);
     std::string loadBuffer(const Json& buffer, std::string& bytes);
 
     Json root_;

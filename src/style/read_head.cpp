@@ -26,7 +26,7 @@ bool readMeshKey(const TableReader& table, const std::string& folder, Style& sty
     } else {
         table.context().problems.unexpected(
             "mesh", *mesh,
-            "\"mannequin\", \"none\" or a file that ends in .obj, .ply, .stl, .gltf or .glb");
+            R"("mannequin", "none" or a file that ends in .obj, .ply, .stl, .gltf or .glb)");
     }
     return true;
 }
@@ -37,8 +37,7 @@ void readUnit(const TableReader& table, std::optional<double>& unit) {
         table.number("unit", quantities::meshUnit, unit);
     } else if (node != nullptr && node->kind != Kind::String) {
         table.context().problems.unexpected(
-            "unit", *node,
-            "\"m\", \"cm\", \"mm\", \"in\" or " + expectedNumber(quantities::meshUnit));
+            "unit", *node, R"("m", "cm", "mm", "in" or )" + expectedNumber(quantities::meshUnit));
     } else {
         table.choice<std::optional<double>>(
             "unit", {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}}, unit);

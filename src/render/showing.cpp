@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "render/horizon.h"
 #include "render/line.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
@@ -38,9 +39,10 @@ public:
         const std::size_t bare = countMarked();
         bare_ += bare;
         if (bare == 0) return;
+        horizon_.look(samples_);
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
-            if (!segment) continue;
+            if (!segment || horizon_.hides(*segment, scene_.projection())) continue;
             drawLine(samples_, lineBetween(segment->a, segment->b, scene_.projection(), grid_), 0);
         }
         seen_ += countMarked();
@@ -66,6 +68,7 @@ private:
     std::atomic<std::size_t>& seen_;
     std::atomic<std::size_t>& bare_;
     SampleTile samples_;
+    Horizon horizon_;
 };
 
 }  // namespace

@@ -4,26 +4,60 @@
 #include "render/scene.h"
 #include "render/tile.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace kushi {
 
-/// How far one sees into a tile at most, in 8 x 8 blocks of samples. With the head drawn, most of
-/// the hair behind it is known to be hidden without a look at its samples.
+/// How far one sees into a tile at most, here and there: what lies beyond is known to be hidden
+/// without a look at its samples.
 class Horizon {
 public:
     /// Takes in what the tile shows.
     void look(const SampleTile& tile);
 
-    /// Whether it is certain that the tile's samples would stay as they are if the segment were
-    /// drawn.
-    bool hides(const ScreenSegment& segment, const Projection& projection) const;
+    /// Whether it is certain that the tile's samples would stay as they are if this were drawn.
+    bool hides(const ScreenSegment& segment, const Projection& projection) const {
+        const auto& [a, b, from, to] = segment;
+        return hides(
+            {std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y)},
+            projection.depth(std::max(a.q, b.q)));
+    }
+    bool hides(const ScreenPolygon& polygon, const Projection& projection) const;
 
 private:
-    static constexpr int blocks = 8;  // along each side
+    struct Box {
+        double left, right, top, bottom;  // samples of the picture
+    };
 
-    int x_ = 0, y_ = 0, blockSize_ = 1;
-    std::array<std::array<SampleTile::Key, blocks>, blocks> farthest_{};
+    bool hides(const Box& box, double nearestDepth) const {
+        // Lines cover samples up to one away from them.
+        constexpr double margin = 1;
+        const int left = block(box.left - margin - x_);
+        const int right = block(box.right + margin - x_);
+        const int top = block(box.top - margin - y_);
+        const int bottom = block(box.bottom + margin - y_);
+        // A unit of depth to spare, for rounding.
+        const auto nearest = static_cast<SampleTile::Key>(drawableDepth(nearestDepth) - 0x1p32);
+        for (int row = top; row <= bottom; ++row) {
+            for (int column = left; column <= right; ++column) {
+                if (nearest <= farthest_[static_cast<std::size_t>(row * blocks + column)])
+                    return false;
+            }
+        }
+        return true;
+    }
+    int block(double sample) const {
+        return static_cast<int>(std::clamp(sample * perSample_, 0.0, blocks - 1.0));
+    }
+
+    static constexpr int blocks = 8;  // along each side of the tile
+
+    double x_ = 0, y_ = 0;
+    double perSample_ = 1;                                     // blocks
+    std::array<SampleTile::Key, blocks * blocks> farthest_{};  // row by row
 };
 
 }  // namespace kushi

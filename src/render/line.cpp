@@ -44,11 +44,10 @@ void clip(LinePiece& piece, std::int64_t step, std::int64_t low, std::int64_t hi
 
 /// The inner loop: most of a picture's time is spent here. Depth is tested by a minimum and not by
 /// a branch, as its outcome is close to a coin's toss.
-template <bool alongY>
-void walk(SampleTile& tile, SampleTile::Key* column, const LinePiece& piece, std::int64_t depth,
-          const Line& line, std::uint32_t id) {
-    const std::ptrdiff_t along = alongY ? tile.stride() : 1;
-    const std::ptrdiff_t across = alongY ? 1 : tile.stride();
+///
+/// along, across  offsets of the samples, by the piece's columns and by rows
+void walk(SampleTile::Key* keys, const std::int32_t* along, const std::int32_t* across,
+          const LinePiece& piece, std::int64_t depth, const Line& line, std::uint32_t id) {
     const std::int64_t rowStep = line.rowStep;
     const std::int64_t depthStep = line.depthStep;
     const std::uint32_t doubled = line.doubled;
@@ -56,15 +55,15 @@ void walk(SampleTile& tile, SampleTile::Key* column, const LinePiece& piece, std
     std::uint32_t share = doubled * static_cast<std::uint32_t>(piece.first);
     for (int i = 0; i < piece.size; ++i) {
         const SampleTile::Key key = SampleTile::key(depth, id);
-        SampleTile::Key* sample = column + (row >> 32) * across;
-        *sample = std::min(*sample, key);
+        SampleTile::Key* column = keys + along[i];
+        SampleTile::Key& sample = column[across[row >> 32]];
+        sample = std::min(sample, key);
         share += doubled;
         if (share < doubled) {  // it has passed a whole number
             const bool nearNext = (row & (std::int64_t{1} << 31)) != 0;
-            sample += nearNext ? across : -across;
-            *sample = std::min(*sample, key);
+            SampleTile::Key& second = column[across[(row >> 32) + (nearNext ? 1 : -1)]];
+            second = std::min(second, key);
         }
-        column += along;
         row += rowStep;
         depth += depthStep;
     }
@@ -124,11 +123,9 @@ void drawLine(SampleTile& tile, const Line& line, std::uint32_t id) {
 
     const std::int64_t depth = line.depth + line.depthStep * (piece.first - line.first);
     const int column = piece.first - origin;
-    if (line.alongY) {
-        walk<true>(tile, tile.at(0, column), piece, depth, line, id);
-    } else {
-        walk<false>(tile, tile.at(column, 0), piece, depth, line, id);
-    }
+    const std::int32_t* along = line.alongY ? tile.rows() : tile.columns();
+    walk(tile.keys(), along + column, line.alongY ? tile.columns() : tile.rows(), piece, depth,
+         line, id);
 }
 
 }  // namespace kushi

@@ -16,24 +16,30 @@ struct PixelSamples {
     bool empty() const {
         std::uint32_t ids = 0;
         for (int j = 0; j < side; ++j) {
-            const SampleTile::Key* key = tile.at(x, y + j);
             for (int i = 0; i < side; ++i)
-                ids |= SampleTile::id(key[i]);
+                ids |= idAt(i, j);
         }
         return ids == 0;
     }
 
+    /// Samples of one thing that lie below each other get the colour at their middle.
     Float4 mean(Palette& palette) const {
         Float4 sum{};
-        for (int j = 0; j < side; ++j) {
-            const SampleTile::Key* key = tile.at(x, y + j);
-            for (int i = 0; i < side; ++i) {
-                const Paint& paint = palette[SampleTile::id(key[i])];
-                sum += paint.at(static_cast<float>(x + i), static_cast<float>(y + j));
+        for (int i = 0; i < side; ++i) {
+            int end = 0;
+            for (int j = 0; j < side; j = end) {
+                const std::uint32_t id = idAt(i, j);
+                for (end = j + 1; end < side && idAt(i, end) == id;)
+                    ++end;
+                const float middle = 0.5F * static_cast<float>(j + end - 1);
+                sum += static_cast<float>(end - j) *
+                       palette[id].at(static_cast<float>(x + i), static_cast<float>(y) + middle);
             }
         }
         return sum / static_cast<float>(side * side);
     }
+
+    std::uint32_t idAt(int i, int j) const { return SampleTile::id(*tile.at(x + i, y + j)); }
 };
 
 }  // namespace

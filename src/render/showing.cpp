@@ -54,9 +54,9 @@ private:
         const int columns = std::min(samples_.size(), grid_.width - samples_.x());
         const int rows = std::min(samples_.size(), grid_.height - samples_.y());
         for (int row = 0; row < rows; ++row) {
-            const SampleTile::Key* key = samples_.at(0, row);
-            for (int column = 0; column < columns; ++column, ++key) {
-                count += static_cast<std::size_t>(SampleTile::id(*key) == markedId);
+            for (int column = 0; column < columns; ++column) {
+                const SampleTile::Key key = *samples_.at(column, row);
+                count += static_cast<std::size_t>(SampleTile::id(key) == markedId);
             }
         }
         return count;

@@ -75,10 +75,11 @@ private:
         const double step = begin + 1 < end ? (last - first) / (end - 1 - begin) : 0;
         const auto depthStep = static_cast<std::int64_t>(step);
         auto depth = static_cast<std::int64_t>(first);
-        SampleTile::Key* sample = tile.at(begin - tile.x(), row - tile.y());
+        SampleTile::Key* keys = tile.keys() + tile.rows()[row - tile.y()];
+        const std::int32_t* columns = tile.columns() - tile.x();
         for (int i = begin; i < end; ++i) {
-            *sample = std::min(*sample, SampleTile::key(depth, id));
-            ++sample;
+            SampleTile::Key& sample = keys[columns[i]];
+            sample = std::min(sample, SampleTile::key(depth, id));
             depth += depthStep;
         }
     }

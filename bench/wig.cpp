@@ -39,7 +39,8 @@ Strands wig(const Ellipsoid& ellipsoid) {
                                    [&](const AngleRange& range) { return range.contains(root); });
     };
     Strands strands;
-    for (double theta = spacing / 2; theta < std::numbers::pi; theta += spacing) {
+    for (int row = 0; row < static_cast<int>(std::numbers::pi / spacing); ++row) {
+        const double theta = (row + 0.5) * spacing;
         const int columns = static_cast<int>(2 * std::numbers::pi * std::sin(theta) / spacing);
         for (int i = 0; i < columns; ++i) {
             const EllipsoidAngles root = {theta, 2 * std::numbers::pi * i / columns};

@@ -6,13 +6,12 @@ namespace kushi {
 void Horizon::look(const SampleTile& tile) {
     x_ = tile.x();
     y_ = tile.y();
-    const int size = tile.size() / blocks;
+    const int size = tile.size() / static_cast<int>(blocks);
     perSample_ = 1.0 / size;
-    for (int row = 0; row < blocks; ++row) {
-        for (int column = 0; column < blocks; ++column) {
-            farthest_[static_cast<std::size_t>(row * blocks + column)] =
-                tile.farthest(column * size, row * size, size);
-        }
+    std::size_t block = 0;
+    for (int y = 0; y < tile.size(); y += size) {
+        for (int x = 0; x < tile.size(); x += size)
+            farthest_[block++] = tile.farthest(x, y, size);
     }
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace kushi {
@@ -35,25 +34,26 @@ private:
     bool hides(const Box& box, double nearestDepth) const {
         // Lines cover samples up to one away from them.
         constexpr double margin = 1;
-        const int left = block(box.left - margin - x_);
-        const int right = block(box.right + margin - x_);
-        const int top = block(box.top - margin - y_);
-        const int bottom = block(box.bottom + margin - y_);
+        const std::size_t left = block(box.left - margin - x_);
+        const std::size_t right = block(box.right + margin - x_);
+        const std::size_t top = block(box.top - margin - y_);
+        const std::size_t bottom = block(box.bottom + margin - y_);
         // A unit of depth to spare, for rounding.
         const auto nearest = static_cast<SampleTile::Key>(drawableDepth(nearestDepth) - 0x1p32);
-        for (int row = top; row <= bottom; ++row) {
-            for (int column = left; column <= right; ++column) {
-                if (nearest <= farthest_[static_cast<std::size_t>(row * blocks + column)])
-                    return false;
+        for (std::size_t row = top; row <= bottom; ++row) {
+            for (std::size_t column = left; column <= right; ++column) {
+                if (nearest <= farthest_[row * blocks + column]) return false;
             }
         }
         return true;
     }
-    int block(double sample) const {
-        return static_cast<int>(std::clamp(sample * perSample_, 0.0, blocks - 1.0));
+    std::size_t block(double sample) const {
+        return static_cast<std::size_t>(std::clamp(sample * perSample_, 0.0, lastBlock));
     }
 
-    static constexpr int blocks = 8;  // along each side of the tile
+    static constexpr std::size_t blocks = 8;  // along each side of the tile
+
+    static constexpr double lastBlock = blocks - 1;
 
     double x_ = 0, y_ = 0;
     double perSample_ = 1;                                     // blocks

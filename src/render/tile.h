@@ -70,8 +70,8 @@ public:
     /// `border` beyond the tile at either side.
     static constexpr int border = 4;
     Key* keys() { return lines_.front().keys.data(); }
-    const std::int32_t* columns() const { return columns_.data() + border; }
-    const std::int32_t* rows() const { return rows_.data() + border; }
+    const std::ptrdiff_t* columns() const { return columns_.data() + border; }
+    const std::ptrdiff_t* rows() const { return rows_.data() + border; }
 
     /// The farthest key of a square of samples.
     ///
@@ -107,7 +107,7 @@ private:
 
     int size_;
     std::vector<Line> lines_;
-    std::vector<std::int32_t> columns_, rows_;
+    std::vector<std::ptrdiff_t> columns_, rows_;
     int x_ = 0, y_ = 0;
 };
 

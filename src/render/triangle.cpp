@@ -76,7 +76,7 @@ private:
         const auto depthStep = static_cast<std::int64_t>(step);
         auto depth = static_cast<std::int64_t>(first);
         SampleTile::Key* keys = tile.keys() + tile.rows()[row - tile.y()];
-        const std::int32_t* columns = tile.columns() - tile.x();
+        const std::ptrdiff_t* columns = tile.columns() - tile.x();
         for (int i = begin; i < end; ++i) {
             SampleTile::Key& sample = keys[columns[i]];
             sample = std::min(sample, SampleTile::key(depth, id));

@@ -43,25 +43,25 @@ private:
         }
         nearFirst([&](std::uint32_t i, bool mayBeHidden) {
             const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
-            if (mayBeHidden && horizon_.hides(polygon, scene_.projection())) return;
+            if (mayBeHidden && horizon_.hides(polygon)) return;
             drawPolygon(samples_, polygon, scene_.projection(), Palette::triangleId(items, i));
         });
     }
 
     void drawSegments(const TileItems& items) {
-        horizon_.look(samples_);
+        horizon_.look(samples_, scene_.projection());
         // Strands come in any order, so every segment is far from the last one in memory.
         constexpr std::size_t ahead = 12;
         order_.clear();
         for (std::size_t i = 0; i < items.segments.size(); ++i) {
             if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);
             const std::optional<ScreenSegment> segment = scene_.segment(items.segments[i]);
-            if (!segment || horizon_.hides(*segment, scene_.projection())) continue;
+            if (!segment || horizon_.hides(*segment)) continue;
             order_.add(static_cast<std::uint32_t>(i), segment->nearest());
         }
         nearFirst([&](std::uint32_t i, bool mayBeHidden) {
             const ScreenSegment segment = *scene_.segment(items.segments[i]);
-            if (mayBeHidden && horizon_.hides(segment, scene_.projection())) return;
+            if (mayBeHidden && horizon_.hides(segment)) return;
             const Line line = lineBetween(segment.a, segment.b, scene_.projection(), grid_);
             drawLine(samples_, line, Palette::segmentId(i));
         });
@@ -75,7 +75,7 @@ private:
         const bool looks = order_.size() > 100;
         for (std::size_t i = 0; i < NearFirst::groups; ++i) {
             const bool mayBeHidden = i > 0 && looks;
-            if (mayBeHidden) horizon_.look(samples_);
+            if (mayBeHidden) horizon_.look(samples_, scene_.projection());
             for (const std::uint32_t thing : order_.group(i))
                 drawThing(thing, mayBeHidden);
         }

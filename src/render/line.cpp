@@ -57,18 +57,22 @@ struct Offsets {
 
 /// The inner loop: most of a picture's time is spent here. Depth is tested by a minimum and not by
 /// a branch, as its outcome is close to a coin's toss.
-void walk(const Offsets& tile, const LinePiece& piece, std::int64_t depth, const Line& line,
+void walk(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
           std::uint32_t id) {
+    // Copies, as the compiler must take what is written to the tile for a part of the line.
+    const std::int64_t rowStep = line.rowStep;
+    const std::int64_t depthStep = line.depthStep;
+    const std::ptrdiff_t size = piece.size;
     std::int64_t row = piece.row;
-    for (std::ptrdiff_t i = 0; i < piece.size; ++i) {
+    for (std::ptrdiff_t i = 0; i < size; ++i) {
         tile.cover(i, row >> 32, SampleTile::key(depth, id));
-        row += line.rowStep;
-        depth += line.depthStep;
+        row += rowStep;
+        depth += depthStep;
     }
 }
 
 /// The second samples: in the columns c where (c + 1) doubled / 2^32 passes a whole number.
-void walkDoubled(const Offsets& tile, const LinePiece& piece, std::int64_t depth, const Line& line,
+void walkDoubled(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
                  std::uint32_t id) {
     const std::uint64_t share = line.doubled;
     if (share == 0) return;

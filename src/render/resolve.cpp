@@ -2,62 +2,79 @@
 #include "render/resolve.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace kushi {
 
 namespace {
 
-/// The samples of one pixel.
-struct PixelSamples {
-    const SampleTile& tile;
-    int x, y;  // the first one's place in the tile
-    int side;
+/// The ids of one pixel's samples, column by column.
+template <int side>
+using PixelIds = std::array<std::uint32_t, static_cast<std::size_t>(side* side)>;
 
-    bool empty() const {
-        std::uint32_t ids = 0;
-        for (int j = 0; j < side; ++j) {
-            for (int i = 0; i < side; ++i)
-                ids |= idAt(i, j);
-        }
-        return ids == 0;
+template <int side>
+PixelIds<side> idsAt(const SampleTile& tile, int x, int y) {
+    PixelIds<side> ids;
+    std::size_t i = 0;
+    for (int column = x; column < x + side; ++column) {
+        for (int row = y; row < y + side; ++row)
+            ids[i++] = SampleTile::id(*tile.at(column, row));
     }
+    return ids;
+}
 
-    /// Samples of one thing that lie below each other get the colour at their middle.
-    Float4 mean(Palette& palette) const {
-        Float4 sum{};
-        for (int i = 0; i < side; ++i) {
-            int end = 0;
-            for (int j = 0; j < side; j = end) {
-                const std::uint32_t id = idAt(i, j);
-                for (end = j + 1; end < side && idAt(i, end) == id;)
-                    ++end;
-                const float middle = 0.5F * static_cast<float>(j + end - 1);
-                sum += static_cast<float>(end - j) *
-                       palette[id].at(static_cast<float>(x + i), static_cast<float>(y) + middle);
-            }
+/// Samples of one thing that lie below each other get the colour at their middle.
+template <int side>
+Float4 mean(const PixelIds<side>& ids, Palette& palette, int x, int y) {
+    Float4 sum{};
+    std::size_t next = 0;
+    for (int column = x; column < x + side; ++column) {
+        int end = 0;
+        for (int row = 0; row < side; row = end) {
+            const std::uint32_t id = ids[next++];
+            for (end = row + 1; end < side && ids[next] == id; ++end)
+                ++next;
+            const float middle = static_cast<float>(y) + 0.5F * static_cast<float>(row + end - 1);
+            sum +=
+                static_cast<float>(end - row) * palette[id].at(static_cast<float>(column), middle);
         }
-        return sum / static_cast<float>(side * side);
     }
+    return sum / static_cast<float>(side * side);
+}
 
-    std::uint32_t idAt(int i, int j) const { return SampleTile::id(*tile.at(x + i, y + j)); }
-};
+template <int side>
+void resolvePixels(const SampleTile& tile, Palette& palette, Image& image) {
+    const int left = tile.x() / side;
+    const int top = tile.y() / side;
+    const int columns = std::min(tile.size() / side, image.width - left);
+    const int rows = std::min(tile.size() / side, image.height - top);
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const int x = column * side;
+            const int y = row * side;
+            const PixelIds<side> ids = idsAt<side>(tile, x, y);
+            std::uint32_t any = 0;
+            for (const std::uint32_t id : ids)
+                any |= id;
+            if (any == 0) continue;
+            const Float4 color = mean<side>(ids, palette, x, y);
+            image.at(left + column, top + row) = {color[0], color[1], color[2]};
+        }
+    }
+}
 
 }  // namespace
 
 void resolve(const SampleTile& tile, Palette& palette, int supersample, Image& image) {
-    const int side = tile.size() / supersample;
-    const int left = tile.x() / supersample;
-    const int top = tile.y() / supersample;
-    const int columns = std::min(side, image.width - left);
-    const int rows = std::min(side, image.height - top);
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const PixelSamples samples = {tile, column * supersample, row * supersample,
-                                          supersample};
-            if (samples.empty()) continue;
-            const Float4 mean = samples.mean(palette);
-            image.at(left + column, top + row) = {mean[0], mean[1], mean[2]};
-        }
+    switch (supersample) {
+        case 1:
+            return resolvePixels<1>(tile, palette, image);
+        case 2:
+            return resolvePixels<2>(tile, palette, image);
+        default:
+            return resolvePixels<4>(tile, palette, image);
     }
 }
 

@@ -39,10 +39,10 @@ public:
         const std::size_t bare = countMarked();
         bare_ += bare;
         if (bare == 0) return;
-        horizon_.look(samples_);
+        horizon_.look(samples_, scene_.projection());
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
-            if (!segment || horizon_.hides(*segment, scene_.projection())) continue;
+            if (!segment || horizon_.hides(*segment)) continue;
             drawLine(samples_, lineBetween(segment->a, segment->b, scene_.projection(), grid_), 0);
         }
         seen_ += countMarked();

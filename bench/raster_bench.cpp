@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a picture takes: 50,000 strands of 20 segments on an ellipsoid of
-// 20,000 triangles, at 1024 x 1024. Prints medians; on a machine that does
-// other work, trust their ratios.
+// How long a picture takes: the mannequin under 50,000 strands of 20 segments, at 1024 x 1024, and
+// the same picture by Mesa's OpenGL where that was found at build time. They take turns, so that
+// what else the machine does meets all of them; prints medians. Trust ratios more than times.
 //
 //     raster_bench [REPETITIONS [THREADS]]
+#include "wig.h"
+
 #include <kushi/draw.h>
 #include <kushi/shade.h>
 
@@ -13,50 +15,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <numbers>
+#include <functional>
+#include <string>
 #include <vector>
+
+#ifdef KUSHI_BENCH_MESA
+#include "mesa_lines.h"
+#endif
 
 namespace {
 
 using namespace kushi;
 
-constexpr int strandCount = 50000;
-constexpr int segmentCount = 20;
-constexpr double strandLength = 0.25;  // m
-
-/// A strand that leaves the ellipsoid along its normal, turns downwards and
-/// follows the surface.
-std::vector<Vec3f> strandFrom(const Ellipsoid& head, EllipsoidAngles root) {
-    std::vector<Vec3f> nodes;
-    Vec3d at = head.point(root);
-    Vec3d direction = head.normal(at);
-    for (int i = 0; i <= segmentCount; ++i) {
-        nodes.push_back(at.as<float>());
-        direction = normalized(direction + Vec3d{0, -0.35, 0});
-        const Vec3d normal = head.normal(at);
-        const double inwards = -dot(direction, normal);
-        if (head.implicit(at) < 0.25 && inwards > 0) direction += inwards * normal;
-        at += strandLength / segmentCount * normalized(direction);
-    }
-    return nodes;
-}
-
-/// About `strandCount` roots, evenly spread in rows over the upper part of the
-/// ellipsoid.
-Strands wig(const Ellipsoid& head) {
-    constexpr double lowest = 1.67;  // rad from the whorl
-    const double spacing = std::sqrt(2 * std::numbers::pi * (1 - std::cos(lowest)) / strandCount);
-    Strands strands;
-    for (int row = 0; row < static_cast<int>(lowest / spacing); ++row) {
-        const double theta = (row + 0.5) * spacing;
-        const int columns = static_cast<int>(2 * std::numbers::pi * std::sin(theta) / spacing);
-        for (int i = 0; i < columns; ++i) {
-            const double phi = 2 * std::numbers::pi * i / columns;
-            strands.add(strandFrom(head, {theta, phi}), strands.size());
-        }
-    }
-    return strands;
-}
+constexpr int size = 1024;  // pixels
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -64,12 +35,13 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Prints the medians of wall time and of the time all processors spent on it.
-template <class Work>
-void measure(const char* name, int repetitions, const Work& work) {
-    std::vector<double> wall;
-    std::vector<double> processor;
-    for (int i = 0; i < repetitions; ++i) {
+/// Something to be timed: the time it takes, and that of all processors together [ms].
+struct Contender {
+    std::string name;
+    std::function<void()> work;
+    std::vector<double> wall{}, processor{};
+
+    void run() {
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t processorStart = std::clock();
         work();
@@ -79,8 +51,45 @@ void measure(const char* name, int repetitions, const Work& work) {
             std::chrono::steady_clock::now() - start;
         wall.push_back(time.count());
     }
-    std::printf("%-24s %8.1f %8.1f\n", name, median(wall), median(processor));
+    void print() const {
+        std::printf("%-28s %8.1f %8.1f %8.1f\n", name.c_str(), median(wall),
+                    *std::min_element(wall.begin(), wall.end()), median(processor));
+    }
+};
+
+#ifdef KUSHI_BENCH_MESA
+
+/// Share of the pixels that are not background.
+double coverage(const Image& image, Rgb background) {
+    const auto differs = [&](Rgb p) {
+        return std::max({std::abs(p.r - background.r), std::abs(p.g - background.g),
+                         std::abs(p.b - background.b)}) > 0.01F;
+    };
+    return static_cast<double>(std::count_if(image.pixels.begin(), image.pixels.end(), differs)) /
+           static_cast<double>(image.pixels.size());
 }
+
+/// The mean of all channels.
+double brightness(const Image& image) {
+    double sum = 0;
+    for (const Rgb p : image.pixels)
+        sum += p.r + p.g + p.b;
+    return sum / (3 * static_cast<double>(image.pixels.size()));
+}
+
+/// How alike two pictures are, as the ratio of white to their mean difference [dB].
+double likeness(const Image& a, const Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const Rgb p = a.pixels[i];
+        const Rgb q = b.pixels[i];
+        for (const double d : {p.r - q.r, p.g - q.g, p.b - q.b})
+            sum += d * d;
+    }
+    return -10 * std::log10(sum / (3 * static_cast<double>(a.pixels.size())));
+}
+
+#endif
 
 }  // namespace
 
@@ -88,30 +97,70 @@ int main(int argc, char** argv) {
     const int repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 9;
     const int threads = argc > 2 ? std::atoi(argv[2]) : 0;
 
-    const Ellipsoid ellipsoid = {
-        .center = {}, .semiAxes = {0.105, 0.125, 0.085}, .rotateZ = radians(20)};
-    Mesh head = ellipsoidMesh(ellipsoid, 71);
-    const Strands strands = wig(ellipsoid);
-    Camera camera = frame(boundsOf(strands.nodes), {.yaw = 0.6, .pitch = 0.1}, 1);
-    // Nearer, so that hair covers half of the picture.
-    camera.eye = camera.target + 0.65F * (camera.eye - camera.target);
+    const bench::Wig wig = bench::mannequinWig();
     const Lights lights = studioLights();
-    head.colors = shadeMatt(head, lights, {0.6F, 0.6F, 0.6F});
-    std::vector<Rgb> colors(strands.nodes.size());
-
-    std::printf("%zu strands, %zu segments, %zu triangles, %d threads (0: all)\n", strands.size(),
-                strands.segmentCount(), head.triangles.size(), threads);
-    std::printf("median of %-14d %8s %8s\n", repetitions, "wall ms", "CPU ms");
-    measure("shade", repetitions,
-            [&] { shade(strands, lights, HairLook{}, camera.eye, colors, threads); });
+    std::vector<Rgb> colors(wig.colors.size());
+    std::vector<Contender> contenders;
+    contenders.push_back(
+        {"shade",
+         [&] { shade(wig.strands, lights, HairLook{}, wig.camera.eye, colors, threads); }});
+    const auto optionsOf = [&](int supersample) {
+        return DrawOptions{
+            .width = size, .height = size, .supersample = supersample, .threads = threads};
+    };
+    const auto ours = [&](int supersample) {
+        return draw(wig.strands, wig.colors, wig.head, wig.camera, optionsOf(supersample));
+    };
     for (const int supersample : {1, 2, 4}) {
-        const DrawOptions options = {.supersample = supersample, .threads = threads};
-        char name[64];
-        std::snprintf(name, sizeof name, "draw 1024 x 1024 x %d", supersample * supersample);
-        measure(name, repetitions, [&] {
-            const Image image = draw(strands, colors, head, camera, options);
-            if (image.pixels.empty()) std::abort();
-        });
+        contenders.push_back(
+            {"Kushi, samples: " + std::to_string(supersample * supersample), [&ours, supersample] {
+                 if (ours(supersample).pixels.empty()) std::abort();
+             }});
     }
+
+#ifdef KUSHI_BENCH_MESA
+    const Rgb background = DrawOptions{}.background;
+    bench::MesaLines mesaOne(wig, size, 1, background);
+    bench::MesaLines mesaFour(wig, size, 4, background);
+    const bool mesa = mesaOne.problem().empty() && mesaFour.problem().empty();
+    if (mesa) {
+        contenders.push_back({"Mesa, samples: 1", [&] { mesaOne.draw(); }});
+        contenders.push_back({"Mesa, samples: 16", [&] { mesaFour.draw(); }});
+    }
+#endif
+
+    std::printf("%zu strands, %zu segments, %zu triangles, %d x %d pixels, threads: %s\n",
+                wig.strands.size(), wig.strands.segmentCount(), wig.head.triangles.size(), size,
+                size, threads > 0 ? std::to_string(threads).c_str() : "all");
+    for (Contender& contender : contenders)  // the first time is not like the others
+        contender.work();
+    for (int i = 0; i < repetitions; ++i) {
+        for (Contender& contender : contenders)
+            contender.run();
+    }
+    std::printf("%-28s %8s %8s %8s\n", ("of " + std::to_string(repetitions) + " turns").c_str(),
+                "wall ms", "least", "CPU ms");
+    for (const Contender& contender : contenders)
+        contender.print();
+
+#ifdef KUSHI_BENCH_MESA
+    if (!mesa) {
+        std::printf("Mesa: %s\n", (mesaOne.problem() + mesaFour.problem()).c_str());
+        return 0;
+    }
+    std::printf("Mesa is %s\n", mesaOne.renderer().c_str());
+    const auto compare = [&](int supersample, bench::MesaLines& theirs, const Contender& us,
+                             const Contender& them) {
+        const Image a = ours(supersample);
+        const Image b = theirs.draw();
+        std::printf(
+            "samples: %-2d  Mesa takes %.1f times as long; covered: %.3f, Mesa %.3f; brightness: "
+            "%.4f, Mesa %.4f; alike to %.1f dB\n",
+            supersample * supersample, median(them.wall) / median(us.wall), coverage(a, background),
+            coverage(b, background), brightness(a), brightness(b), likeness(a, b));
+    };
+    compare(1, mesaOne, contenders[1], contenders[4]);
+    compare(4, mesaFour, contenders[3], contenders[5]);
+#endif
     return 0;
 }

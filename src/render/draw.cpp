@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "render/horizon.h"
 #include "render/line.h"
-#include "render/paint.h"
+#include "render/near_first.h"
+#include "render/palette.h"
+#include "render/resolve.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
 
@@ -17,61 +20,75 @@ public:
             const DrawOptions& options, Image& image)
         : scene_(scene),
           grid_(grid),
-          colors_(colors),
-          options_(options),
+          supersample_(options.supersample),
           image_(image),
-          samples_(grid.tileSize()) {}
+          samples_(grid.tileSize()),
+          palette_(scene, colors, options.background) {}
 
     void operator()(const TileItems& items) {
         if (items.segments.empty() && items.triangles.empty()) return;
         samples_.clear(items.x, items.y);
-        paints_.assign(1, paintOf(options_.background));
-        // Strands come in any order, so every segment is far from the last one in memory.
-        constexpr std::size_t ahead = 12;
-        for (std::size_t i = 0; i < items.segments.size(); ++i) {
-            if (i + ahead < items.segments.size()) {
-                scene_.prefetch(items.segments[i + ahead]);
-                __builtin_prefetch(&colors_[items.segments[i + ahead]]);
-            }
-            drawSegment(items.segments[i]);
-        }
-        for (const std::uint32_t triangle : items.triangles)
-            drawTriangle(triangle);
-        resolve(samples_, paints_, options_.supersample, image_);
+        palette_.begin(items);
+        drawTriangles(items);
+        drawSegments(items);
+        resolve(samples_, palette_, supersample_, image_);
     }
 
 private:
-    std::uint32_t nextId() const { return static_cast<std::uint32_t>(paints_.size()); }
-
-    void drawSegment(std::uint32_t node) {
-        const std::optional<ScreenSegment> segment = scene_.segment(node);
-        if (!segment) return;
-        const Line line = lineBetween(segment->a, segment->b, scene_.projection(), grid_);
-        if (line.first >= line.last) return;
-        drawLine(samples_, line, nextId());
-        paints_.push_back(paintOf(*segment, colors_[node], colors_[node + 1], samples_));
+    void drawTriangles(const TileItems& items) {
+        order_.clear();
+        for (std::size_t i = 0; i < items.triangles.size(); ++i) {
+            const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
+            if (polygon.size > 0) order_.add(static_cast<std::uint32_t>(i), polygon.nearest());
+        }
+        nearFirst([&](std::uint32_t i, bool mayBeHidden) {
+            const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
+            if (mayBeHidden && horizon_.hides(polygon)) return;
+            drawPolygon(samples_, polygon, scene_.projection(), Palette::triangleId(items, i));
+        });
     }
 
-    void drawTriangle(std::uint32_t index) {
-        const ScreenPolygon polygon = scene_.triangle(index);
-        if (polygon.size == 0) return;
-        drawPolygon(samples_, polygon, scene_.projection(), nextId());
-        std::array<Rgb, 3> colors;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Mesh& mesh = scene_.mesh();
-            constexpr Rgb grey = {0.5F, 0.5F, 0.5F};
-            colors[i] = mesh.colors.empty() ? grey : mesh.colors[mesh.triangles[index][i]];
+    void drawSegments(const TileItems& items) {
+        horizon_.look(samples_, scene_.projection());
+        // Strands come in any order, so every segment is far from the last one in memory.
+        constexpr std::size_t ahead = 12;
+        order_.clear();
+        for (std::size_t i = 0; i < items.segments.size(); ++i) {
+            if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);
+            const std::optional<ScreenSegment> segment = scene_.segment(items.segments[i]);
+            if (!segment || horizon_.hides(*segment)) continue;
+            order_.add(static_cast<std::uint32_t>(i), segment->nearest());
         }
-        paints_.push_back(paintOf(polygon, colors, samples_));
+        nearFirst([&](std::uint32_t i, bool mayBeHidden) {
+            const ScreenSegment segment = *scene_.segment(items.segments[i]);
+            if (mayBeHidden && horizon_.hides(segment)) return;
+            const Line line = lineBetween(segment.a, segment.b, scene_.projection(), grid_);
+            drawLine(samples_, line, Palette::segmentId(i));
+        });
+    }
+
+    /// Draws what is in order_, and takes another look at the horizon between its groups if there
+    /// is so much that this may save more than it costs.
+    template <class DrawThing>
+    void nearFirst(const DrawThing& drawThing) {
+        order_.sort();
+        const bool looks = order_.size() > 100;
+        for (std::size_t i = 0; i < NearFirst::groups; ++i) {
+            const bool mayBeHidden = i > 0 && looks;
+            if (mayBeHidden) horizon_.look(samples_, scene_.projection());
+            for (const std::uint32_t thing : order_.group(i))
+                drawThing(thing, mayBeHidden);
+        }
     }
 
     const Scene& scene_;
     const TileGrid& grid_;
-    std::span<const Rgb> colors_;
-    const DrawOptions& options_;
+    int supersample_;
     Image& image_;
     SampleTile samples_;
-    std::vector<Paint> paints_;
+    Horizon horizon_;
+    NearFirst order_;
+    Palette palette_;
 };
 
 }  // namespace

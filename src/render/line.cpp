@@ -2,6 +2,7 @@
 #include "render/line.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace kushi {
@@ -42,31 +43,49 @@ void clip(LinePiece& piece, std::int64_t step, std::int64_t low, std::int64_t hi
     piece.row += step * enter;
 }
 
+/// What walks take from the tile: where samples lie by columns along the line, by rows across it.
+struct Offsets {
+    SampleTile::Key* keys;
+    const std::ptrdiff_t* along;  // from the piece's first column on
+    const std::ptrdiff_t* across;
+
+    void cover(std::ptrdiff_t column, std::ptrdiff_t row, SampleTile::Key key) const {
+        SampleTile::Key& sample = keys[along[column] + across[row]];
+        sample = std::min(sample, key);
+    }
+};
+
 /// The inner loop: most of a picture's time is spent here. Depth is tested by a minimum and not by
 /// a branch, as its outcome is close to a coin's toss.
-template <bool alongY>
-void walk(SampleTile& tile, SampleTile::Key* column, const LinePiece& piece, std::int64_t depth,
-          const Line& line, std::uint32_t id) {
-    const std::ptrdiff_t along = alongY ? tile.stride() : 1;
-    const std::ptrdiff_t across = alongY ? 1 : tile.stride();
+void walk(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
+          std::uint32_t id) {
+    // Copies, as the compiler must take what is written to the tile for a part of the line.
     const std::int64_t rowStep = line.rowStep;
     const std::int64_t depthStep = line.depthStep;
-    const std::uint32_t doubled = line.doubled;
+    const std::ptrdiff_t size = piece.size;
     std::int64_t row = piece.row;
-    std::uint32_t share = doubled * static_cast<std::uint32_t>(piece.first);
-    for (int i = 0; i < piece.size; ++i) {
-        const SampleTile::Key key = SampleTile::key(depth, id);
-        SampleTile::Key* sample = column + (row >> 32) * across;
-        *sample = std::min(*sample, key);
-        share += doubled;
-        if (share < doubled) {  // it has passed a whole number
-            const bool nearNext = (row & (std::int64_t{1} << 31)) != 0;
-            sample += nearNext ? across : -across;
-            *sample = std::min(*sample, key);
-        }
-        column += along;
+    for (std::ptrdiff_t i = 0; i < size; ++i) {
+        tile.cover(i, row >> 32, SampleTile::key(depth, id));
         row += rowStep;
         depth += depthStep;
+    }
+}
+
+/// The second samples: in the columns c where (c + 1) doubled / 2^32 passes a whole number.
+void walkDoubled(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
+                 std::uint32_t id) {
+    const std::uint64_t share = line.doubled;
+    if (share == 0) return;
+    const auto first = static_cast<std::uint64_t>(piece.first);
+    const auto size = static_cast<std::uint64_t>(piece.size);
+    for (std::uint64_t whole = (first * share >> 32U) + 1;; ++whole) {
+        const std::uint64_t column = ((whole << 32U) - 1) / share - first;
+        if (column >= size) return;
+        const auto i = static_cast<std::int64_t>(column);
+        const std::int64_t row = piece.row + line.rowStep * i;
+        const bool nearNext = (row & (std::int64_t{1} << 31)) != 0;
+        tile.cover(i, (row >> 32) + (nearNext ? 1 : -1),
+                   SampleTile::key(depth + line.depthStep * i, id));
     }
 }
 
@@ -124,11 +143,10 @@ void drawLine(SampleTile& tile, const Line& line, std::uint32_t id) {
 
     const std::int64_t depth = line.depth + line.depthStep * (piece.first - line.first);
     const int column = piece.first - origin;
-    if (line.alongY) {
-        walk<true>(tile, tile.at(0, column), piece, depth, line, id);
-    } else {
-        walk<false>(tile, tile.at(column, 0), piece, depth, line, id);
-    }
+    const Offsets offsets = {tile.keys(), (line.alongY ? tile.rows() : tile.columns()) + column,
+                             line.alongY ? tile.columns() : tile.rows()};
+    walk(offsets, piece, depth, line, id);
+    walkDoubled(offsets, piece, depth, line, id);
 }
 
 }  // namespace kushi

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "render/scene.h"
-#include "render/tile.h"
 
 #include <kushi/color.h>
-#include <kushi/image.h>
 
-#include <span>
-#include <vector>
+#include <array>
 
 namespace kushi {
 
@@ -30,14 +27,10 @@ struct Paint {
 
 Paint paintOf(Rgb color);
 /// b may be a's place: then their mean.
-Paint paintOf(const ScreenSegment& segment, Rgb first, Rgb last, const SampleTile& tile);
-/// colors  of the triangle's corners
-Paint paintOf(const ScreenPolygon& polygon, const std::array<Rgb, 3>& colors,
-              const SampleTile& tile);
-
-/// Averages each pixel's samples into the image; pixels that show nothing (id 0) stay as they are.
 ///
-/// paints  by the ids in the tile
-void resolve(const SampleTile& tile, std::span<const Paint> paints, int supersample, Image& image);
+/// tileX, tileY  the tile's first sample
+Paint paintOf(const ScreenSegment& segment, Rgb first, Rgb last, int tileX, int tileY);
+/// colors  of the triangle's corners
+Paint paintOf(const ScreenPolygon& polygon, const std::array<Rgb, 3>& colors, int tileX, int tileY);
 
 }  // namespace kushi

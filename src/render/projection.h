@@ -48,6 +48,10 @@ public:
     /// distance.
     double depth(double q) const { return (1 - q * near_) * fullDepth; }
     static constexpr double fullDepth = 0x1p62;
+    /// Where the depth is as given [1/m].
+    double inverseDistance(std::int64_t depth) const {
+        return (1 - static_cast<double>(depth) / fullDepth) / near_;
+    }
 
 private:
     Vec3d eye_, right_, down_, forward_;

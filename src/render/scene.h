@@ -6,6 +6,7 @@
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,9 @@ namespace kushi {
 struct ScreenSegment {
     ScreenPoint a, b;
     double from = 0, to = 1;  ///< where a and b lie along the segment in space
+
+    /// 1 / distance of its nearest point [1/m].
+    float nearest() const { return static_cast<float>(std::max(a.q, b.q)); }
 };
 
 /// A convex polygon on the picture: what the near plane leaves of a triangle.
@@ -27,6 +31,14 @@ struct ScreenPolygon {
     };
     std::array<Corner, 4> corners;
     int size = 0;  ///< 0, 3 or 4
+
+    /// 1 / distance of its nearest point [1/m]; 0 without points.
+    float nearest() const {
+        double q = 0;
+        for (int i = 0; i < size; ++i)
+            q = std::max(q, corners[static_cast<std::size_t>(i)].at.q);
+        return static_cast<float>(q);
+    }
 };
 
 /// Strands and mesh as a camera sees them. Refers to both.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "render/horizon.h"
 #include "render/line.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
@@ -38,9 +39,10 @@ public:
         const std::size_t bare = countMarked();
         bare_ += bare;
         if (bare == 0) return;
+        horizon_.look(samples_, scene_.projection());
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
-            if (!segment) continue;
+            if (!segment || horizon_.hides(*segment)) continue;
             drawLine(samples_, lineBetween(segment->a, segment->b, scene_.projection(), grid_), 0);
         }
         seen_ += countMarked();
@@ -52,9 +54,9 @@ private:
         const int columns = std::min(samples_.size(), grid_.width - samples_.x());
         const int rows = std::min(samples_.size(), grid_.height - samples_.y());
         for (int row = 0; row < rows; ++row) {
-            const SampleTile::Key* key = samples_.at(0, row);
-            for (int column = 0; column < columns; ++column, ++key) {
-                count += static_cast<std::size_t>(SampleTile::id(*key) == markedId);
+            for (int column = 0; column < columns; ++column) {
+                const SampleTile::Key key = *samples_.at(column, row);
+                count += static_cast<std::size_t>(SampleTile::id(key) == markedId);
             }
         }
         return count;
@@ -66,6 +68,7 @@ private:
     std::atomic<std::size_t>& seen_;
     std::atomic<std::size_t>& bare_;
     SampleTile samples_;
+    Horizon horizon_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <thread>
+#include <vector>
 
 namespace kushi {
 
@@ -16,41 +17,74 @@ namespace {
 /// Items listed at a time, unless a single tile has more: 64 MB.
 constexpr std::size_t listed = std::size_t{1} << 24U;
 
-/// Tiles of the segments of strands [begin, end).
-template <class Emit>
-void enumerateSegments(const Scene& scene, const TileGrid& grid, std::size_t begin, std::size_t end,
-                       const Emit& emit) {
-    const int shift = grid.tileShift;
-    const int columns = grid.columns();
-    const int rows = grid.rows();
-    for (std::size_t strand = begin; strand < end; ++strand) {
-        const std::uint32_t tip = scene.strands().offsets[strand + 1];
-        for (std::uint32_t node = scene.strands().offsets[strand]; node + 1 < tip; ++node) {
-            const std::optional<ScreenSegment> segment = scene.segment(node);
-            if (!segment) continue;
+/// Tiles of the segments. Most touch a single one, which is remembered.
+class SegmentTiles {
+public:
+    SegmentTiles(const Scene& scene, const TileGrid& grid)
+        : scene_(scene), grid_(grid), single_(scene.strands().nodes.size(), none) {}
 
-            // The tiles of the box around the segment, with half a sample to spare for its width.
-            const auto [ax, bx] = std::minmax(segment->a.x, segment->b.x);
-            const auto [ay, by] = std::minmax(segment->a.y, segment->b.y);
-            const int left = std::max(floorToInt(ax - 1) >> shift, 0);
-            const int right = std::min(floorToInt(bx + 1) >> shift, columns - 1);
-            const int top = std::max(floorToInt(ay - 1) >> shift, 0);
-            const int bottom = std::min(floorToInt(by + 1) >> shift, rows - 1);
-            if (left >= right || top >= bottom) {
-                // No box, or all of it is needed.
-                for (int row = top; row <= bottom; ++row) {
-                    for (int column = left; column <= right; ++column) {
-                        emit(grid.index(column, row), node);
-                    }
-                }
-                continue;
+    /// Those of strands [begin, end); to be called before recall().
+    template <class Emit>
+    void find(std::size_t begin, std::size_t end, const Emit& emit) {
+        const auto& offsets = scene_.strands().offsets;
+        for (std::size_t strand = begin; strand < end; ++strand) {
+            for (std::uint32_t node = offsets[strand]; node + 1 < offsets[strand + 1]; ++node) {
+                std::uint32_t& single = single_[node];
+                forEachTileOf(node, [&](std::size_t tile) {
+                    single = single == none ? static_cast<std::uint32_t>(tile) : several;
+                    emit(tile, node);
+                });
             }
-            const Line line = lineBetween(segment->a, segment->b, scene.projection(), grid);
-            forEachTile(line, grid,
-                        [&](int column, int row) { emit(grid.index(column, row), node); });
         }
     }
-}
+
+    /// The same once more.
+    template <class Emit>
+    void recall(std::size_t begin, std::size_t end, const Emit& emit) const {
+        const auto& offsets = scene_.strands().offsets;
+        for (std::uint32_t node = offsets[begin]; node < offsets[end]; ++node) {
+            const std::uint32_t single = single_[node];
+            if (single < several) {
+                emit(single, node);
+            } else if (single == several) {
+                forEachTileOf(node, [&](std::size_t tile) { emit(tile, node); });
+            }
+        }
+    }
+
+private:
+    static constexpr std::uint32_t none = 0xffffffff;
+    static constexpr std::uint32_t several = 0xfffffffe;
+
+    template <class Visit>
+    void forEachTileOf(std::uint32_t node, const Visit& visit) const {
+        const std::optional<ScreenSegment> segment = scene_.segment(node);
+        if (!segment) return;
+
+        // The tiles of the box around the segment, with half a sample to spare for its width.
+        const int shift = grid_.tileShift;
+        const auto [ax, bx] = std::minmax(segment->a.x, segment->b.x);
+        const auto [ay, by] = std::minmax(segment->a.y, segment->b.y);
+        const int left = std::max(floorToInt(ax - 1) >> shift, 0);
+        const int right = std::min(floorToInt(bx + 1) >> shift, grid_.columns() - 1);
+        const int top = std::max(floorToInt(ay - 1) >> shift, 0);
+        const int bottom = std::min(floorToInt(by + 1) >> shift, grid_.rows() - 1);
+        if (left >= right || top >= bottom) {
+            // No box, or all of it is needed.
+            for (int row = top; row <= bottom; ++row) {
+                for (int column = left; column <= right; ++column)
+                    visit(grid_.index(column, row));
+            }
+            return;
+        }
+        const Line line = lineBetween(segment->a, segment->b, scene_.projection(), grid_);
+        forEachTile(line, grid_, [&](int column, int row) { visit(grid_.index(column, row)); });
+    }
+
+    const Scene& scene_;
+    const TileGrid& grid_;
+    std::vector<std::uint32_t> single_;  // by the segment's first node
+};
 
 /// Tiles of the triangles [begin, end).
 template <class Emit>
@@ -89,13 +123,17 @@ TileGrid gridOf(const DrawOptions& options) {
 
 void forEachTile(const Scene& scene, const TileGrid& grid, int threads,
                  const std::function<TileWorker()>& makeWorker) {
-    const auto segments = [&](std::size_t begin, std::size_t end, const auto& emit) {
-        enumerateSegments(scene, grid, begin, end, emit);
+    SegmentTiles segmentTiles(scene, grid);
+    const auto find = [&](std::size_t begin, std::size_t end, const auto& emit) {
+        segmentTiles.find(begin, end, emit);
+    };
+    const auto recall = [&](std::size_t begin, std::size_t end, const auto& emit) {
+        segmentTiles.recall(begin, end, emit);
     };
     const auto triangles = [&](std::size_t begin, std::size_t end, const auto& emit) {
         enumerateTriangles(scene, grid, begin, end, emit);
     };
-    TileLists segmentLists(scene.strands().size(), grid.count(), threads, segments);
+    TileLists segmentLists(scene.strands().size(), grid.count(), threads, find);
     TileLists triangleLists(scene.mesh().triangles.size(), grid.count(), threads, triangles);
 
     const std::size_t workers = workersFor(threads, grid.count());
@@ -109,7 +147,7 @@ void forEachTile(const Scene& scene, const TileGrid& grid, int threads,
             items += load(range.end);
             if (items > listed) break;
         }
-        segmentLists.fill(range, segments);
+        segmentLists.fill(range, recall);
         triangleLists.fill(range, triangles);
 
         std::atomic<std::size_t> next{range.begin};

@@ -13,14 +13,14 @@ namespace {
 /// same two points in, ordered the same, and so get the same.
 struct Edge {
     ScreenPoint top, bottom;
+    double slope = 0;  // means nothing where the edge is level and crosses no row
 
     Edge(const ScreenPoint& a, const ScreenPoint& b) : top(a), bottom(b) {
         if (std::pair(b.y, b.x) < std::pair(a.y, a.x)) std::swap(top, bottom);
+        if (bottom.y > top.y) slope = (bottom.x - top.x) / (bottom.y - top.y);
     }
     bool crosses(double y) const { return top.y <= y && y < bottom.y; }
-    double at(double y) const {
-        return top.x + (y - top.y) * ((bottom.x - top.x) / (bottom.y - top.y));
-    }
+    double at(double y) const { return top.x + (y - top.y) * slope; }
 };
 
 class Triangle {
@@ -75,10 +75,11 @@ private:
         const double step = begin + 1 < end ? (last - first) / (end - 1 - begin) : 0;
         const auto depthStep = static_cast<std::int64_t>(step);
         auto depth = static_cast<std::int64_t>(first);
-        SampleTile::Key* sample = tile.at(begin - tile.x(), row - tile.y());
+        SampleTile::Key* keys = tile.keys() + tile.rows()[row - tile.y()];
+        const std::ptrdiff_t* columns = tile.columns() - tile.x();
         for (int i = begin; i < end; ++i) {
-            *sample = std::min(*sample, SampleTile::key(depth, id));
-            ++sample;
+            SampleTile::Key& sample = keys[columns[i]];
+            sample = std::min(sample, SampleTile::key(depth, id));
             depth += depthStep;
         }
     }

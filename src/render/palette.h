@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/paint.h"
+#include "render/tiles.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace kushi {
+
+/// The colours of what is drawn in a tile, by id: 0 is the background, then come the tile's
+/// segments and then its triangles, each in the order of their list. A colour is mixed when it is
+/// first asked for, as most things are hidden by others.
+class Palette {
+public:
+    Palette(const Scene& scene, std::span<const Rgb> colors, Rgb background)
+        : scene_(scene), colors_(colors), background_(paintOf(background)) {}
+
+    static std::uint32_t segmentId(std::size_t index) {
+        return static_cast<std::uint32_t>(index + 1);
+    }
+    static std::uint32_t triangleId(const TileItems& items, std::size_t index) {
+        return static_cast<std::uint32_t>(items.segments.size() + index + 1);
+    }
+
+    /// Turns to another tile, whose lists must outlive its painting.
+    void begin(const TileItems& items);
+
+    const Paint& operator[](std::uint32_t id) {
+        if (mixed_[id] == 0) mix(id);
+        return paints_[id];
+    }
+
+private:
+    void mix(std::uint32_t id);
+    Paint segmentPaint(std::uint32_t node) const;
+    Paint trianglePaint(std::uint32_t index) const;
+
+    const Scene& scene_;
+    std::span<const Rgb> colors_;
+    Paint background_;
+    TileItems items_;
+    std::vector<Paint> paints_;
+    std::vector<std::uint8_t> mixed_;
+};
+
+}  // namespace kushi

@@ -26,7 +26,9 @@ double StageClock::total() const {
     return sum;
 }
 
-std::string reportJson(const SettleReport& report, const StageClock& clock) {
+namespace {
+
+nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& clock) {
     nlohmann::ordered_json json;
     json["strands"] = report.strands;
     json["segments"] = report.segments;
@@ -38,6 +40,20 @@ std::string reportJson(const SettleReport& report, const StageClock& clock) {
     // The cantilever is one walk: it does not solve for rest, so it has no residual to converge.
     json["max_residual"] = nullptr;
     json["unsettled"] = 0;
+    return json;
+}
+
+}  // namespace
+
+std::string reportJson(const SettleReport& report, const StageClock& clock) {
+    return settleJson(report, clock).dump(2) + '\n';
+}
+
+std::string renderReportJson(const SettleReport& report, std::optional<double> scalpShowing,
+                             const StageClock& clock) {
+    nlohmann::ordered_json json = settleJson(report, clock);
+    json["scalp_showing"] = nullptr;
+    if (scalpShowing) json["scalp_showing"] = *scalpShowing;
     return json.dump(2) + '\n';
 }
 

@@ -4,6 +4,7 @@
 #include <kushi/settle.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ private:
 
 /// The text of --report, JSON.
 std::string reportJson(const SettleReport& report, const StageClock& clock);
+
+/// The same of a picture, with the share of scalp that shows where it is known.
+std::string renderReportJson(const SettleReport& report, std::optional<double> scalpShowing,
+                             const StageClock& clock);
 
 /// "read 1 ms, plant 60 ms, settle 40 ms".
 std::string timesLine(const StageClock& clock);

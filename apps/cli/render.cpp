@@ -37,7 +37,7 @@ int runRender(const RenderArguments& arguments) {
         return report(written.problems());
     clock.end("write");
     if (reporting) {
-        const auto showing = scalpShowing(*scene, *view, options, clock);
+        const auto showing = scalpShowing(*scene, options, clock);
         const std::string json = renderReportJson(scene->report, showing, clock);
         if (const Status written = writeReport(arguments.reportPath, json); !written) {
             return report(written.problems());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -49,11 +50,16 @@ std::string reportJson(const SettleReport& report, const StageClock& clock) {
     return settleJson(report, clock).dump(2) + '\n';
 }
 
-std::string renderReportJson(const SettleReport& report, std::optional<double> scalpShowing,
+std::string renderReportJson(const SettleReport& report, const std::vector<ScalpShowing>& showing,
                              const StageClock& clock) {
     nlohmann::ordered_json json = settleJson(report, clock);
     json["scalp_showing"] = nullptr;
-    if (scalpShowing) json["scalp_showing"] = *scalpShowing;
+    double most = 0;
+    for (const ScalpShowing& view : showing) {
+        json["scalp_showing"][view.view] = view.share;
+        most = std::max(most, view.share);
+    }
+    if (!showing.empty()) json["scalp_showing"]["max"] = most;
     return json.dump(2) + '\n';
 }
 

@@ -4,7 +4,6 @@
 #include <kushi/settle.h>
 
 #include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +28,14 @@ private:
 /// The text of --report, JSON.
 std::string reportJson(const SettleReport& report, const StageClock& clock);
 
-/// The same of a picture, with the share of scalp that shows where it is known.
-std::string renderReportJson(const SettleReport& report, std::optional<double> scalpShowing,
+/// The share of the scalp that shows in a view.
+struct ScalpShowing {
+    std::string view;
+    double share = 0;
+};
+
+/// The same of a picture, with the scalp that shows by view where there is a head.
+std::string renderReportJson(const SettleReport& report, const std::vector<ScalpShowing>& showing,
                              const StageClock& clock);
 
 /// "read 1 ms, plant 60 ms, settle 40 ms".

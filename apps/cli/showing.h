@@ -3,13 +3,13 @@
 
 #include "scene.h"
 
-#include <optional>
+#include <vector>
 
 namespace kushi {
 
-/// The largest share of the scalp that shows through the hair, in [0, 1], of the view rendered and
-/// the six named ones; nothing without a head. Stage `showing`.
-std::optional<double> scalpShowing(const Scene& scene, View view, const DrawOptions& options,
-                                   StageClock& clock);
+/// The share of the scalp in [0, 1] that shows through the hair in each of the six named views;
+/// empty without a head. Stage `showing`.
+std::vector<ScalpShowing> scalpShowing(const Scene& scene, const DrawOptions& options,
+                                       StageClock& clock);
 
 }  // namespace kushi

@@ -32,8 +32,8 @@ Lights studioLights();
 struct HairLook {
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself: dark brown
     Rgb specularColor = {1.0F, 0.85F, 0.70F};
-    float ambient = 0.4F;    ///< ka
-    float diffuse = 0.5F;    ///< kd
+    float ambient = 0.5F;    ///< ka
+    float diffuse = 0.75F;   ///< kd
     float specular = 0.45F;  ///< ks
     float shininess = 160;   ///< Blinn's exponent n, > 0; the highlight is as wide as Kajiya and
                              ///< Kay's with the exponent n / 4

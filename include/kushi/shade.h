@@ -39,7 +39,7 @@ struct HairLook {
                              ///< Kay's with the exponent n / 4
     /// Beyond the paper: what the hair covers. Hair on the side of it that is turned away from a
     /// light gets none of that light; without it nothing casts a shadow.
-    std::optional<Ellipsoid> body;
+    std::optional<Ellipsoid> body = std::nullopt;
 };
 
 /// One linear colour per node, seen from `eye` [m]:

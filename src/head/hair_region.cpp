@@ -23,7 +23,7 @@ struct EdgePoint {
 
 // The right half of the hairline; docs/head.md lists the same points.
 constexpr std::array hairline = {EdgePoint{61, 0},  EdgePoint{62, 14}, EdgePoint{64, 28},
-                                 EdgePoint{68, 40}, EdgePoint{72, 52}, EdgePoint{77, 62},
+                                 EdgePoint{68, 40}, EdgePoint{74, 60}, EdgePoint{77, 63},
                                  EdgePoint{83, 68}, EdgePoint{88, 74}, EdgePoint{91, 81}};
 // Before the ear, from its top down to the end of the sideburn ...
 constexpr std::array beforeEar = {EdgePoint{74, 105}, EdgePoint{75, 101}, EdgePoint{77, 98},

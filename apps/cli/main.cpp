@@ -118,7 +118,8 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "person's left)")
         ->capture_default_str();
     addSettleFlags(*command, arguments.flags);
-    command->add_option("--report", arguments.reportPath, "Write counts, times and the share of scalp that shows as JSON");
+    command->add_option("--report", arguments.reportPath,
+                        "Write counts, times and the share of scalp that shows as JSON");
     command->footer(
         "Examples:\n"
         "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"

@@ -34,9 +34,9 @@ public:
         : columns_(columns), width_(width), height_(height) {
         image_.width = columns * width + (columns - 1) * gutter;
         image_.height = rows * height + (rows - 1) * gutter;
-        image_.pixels.assign(static_cast<std::size_t>(image_.width) *
-                                 static_cast<std::size_t>(image_.height),
-                             paper);
+        image_.pixels.assign(
+            static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height),
+            paper);
     }
 
     void add(const Image& picture) {

@@ -29,9 +29,9 @@ constexpr std::array hairline = {EdgePoint{61, 0},  EdgePoint{62, 14}, EdgePoint
 constexpr std::array beforeEar = {EdgePoint{74, 105}, EdgePoint{75, 101}, EdgePoint{77, 98},
                                   EdgePoint{83, 94},  EdgePoint{88, 90},  EdgePoint{91, 83}};
 // ... and behind it down to the nape.
-constexpr std::array behindEar = {EdgePoint{74, 105},  EdgePoint{75, 108},  EdgePoint{77, 111},
-                                  EdgePoint{83, 114},  EdgePoint{88, 117},  EdgePoint{93, 121},
-                                  EdgePoint{98, 130},  EdgePoint{104, 146}, EdgePoint{106, 158},
+constexpr std::array behindEar = {EdgePoint{74, 105}, EdgePoint{75, 108},  EdgePoint{77, 111},
+                                  EdgePoint{83, 114}, EdgePoint{88, 117},  EdgePoint{93, 121},
+                                  EdgePoint{98, 130}, EdgePoint{104, 146}, EdgePoint{106, 158},
                                   EdgePoint{107, 170}};
 
 // Where the edge runs at theta, which lies between its ends.

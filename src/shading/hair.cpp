@@ -28,8 +28,8 @@ float highlight(Vec3f tangent, Vec3f toLight, Vec3f toEye, float shininess) {
     return std::pow(sine(tangent, sum / size), shininess);
 }
 
-/// Share of a light that reaches a node: all on the body's side towards the light, none on the other
-/// and on the inside of the hair there.
+/// Share of a light that reaches a node: all on the body's side towards the light, none on the
+/// other and on the inside of the hair there.
 float reaching(const HairLook& look, Vec3f outward, Vec3f toLight) {
     if (!look.body) return 1;
     const float t = std::clamp((dot(outward, toLight) + 0.5F) / 0.9F, 0.0F, 1.0F);
@@ -43,7 +43,8 @@ Rgb shadeNode(Vec3f tangent, Vec3f outward, Vec3f toEye, Rgb color, const Lights
         const float diffuse = look.diffuse * sine(tangent, light.direction);
         const float specular =
             look.specular * highlight(tangent, light.direction, toEye, look.shininess);
-        sum += reaching(look, outward, light.direction) * light.color * (diffuse * color + specular * look.specularColor);
+        sum += reaching(look, outward, light.direction) * light.color *
+               (diffuse * color + specular * look.specularColor);
     }
     return sum;
 }

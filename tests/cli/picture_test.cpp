@@ -30,9 +30,9 @@ TEST(RenderCommand, ReportsTheScalpThatShows) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
     const auto showing = [&](const std::string& flags) {
-        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder +
-                                     "/a.png --size 100x100 --report " + folder + "/r.json " +
-                                     flags);
+        const Outcome run =
+            runKushi("render " + folder + "/a.toml -o " + folder +
+                     "/a.png --size 100x100 --report " + folder + "/r.json " + flags);
         EXPECT_EQ(run.status, 0) << run.err;
         return nlohmann::json::parse(readBytes(folder + "/r.json"))["scalp_showing"];
     };

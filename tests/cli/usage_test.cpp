@@ -19,7 +19,8 @@ TEST(Usage, VersionIsOneLine) {
 TEST(Usage, HelpTeaches) {
     const Outcome run = runKushi("--help");
     EXPECT_EQ(run.status, 0);
-    for (const char* command : {"new", "check", "settle", "render", "sheet", "convert", "info", "rod"}) {
+    for (const char* command :
+         {"new", "check", "settle", "render", "sheet", "convert", "info", "rod"}) {
         EXPECT_THAT(run.out, HasSubstr(std::string("\n  ") + command));
         const Outcome help = runKushi(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0);

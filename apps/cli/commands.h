@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kushi {
 
@@ -32,6 +33,15 @@ struct RenderArguments {
     SettleFlags flags;
 };
 
+struct SheetArguments {
+    std::vector<std::string> inputs;
+    std::string output;
+    std::string cell = "512x512";
+    std::string views = "three-quarter";  ///< separated by slashes
+    int supersample = 4;
+    SettleFlags flags;
+};
+
 struct RodArguments {
     double lengthCm = 10;
     double rigidity = 6.06e-9;  ///< N m2, of a medium hair
@@ -47,6 +57,8 @@ struct RodArguments {
 int runCheck(const std::string& path);
 int runSettle(const SettleArguments& arguments);
 int runRender(const RenderArguments& arguments);
+int runSheet(const SheetArguments& arguments);
+int runNew(const std::string& path);
 int runConvert(const std::string& from, const std::string& to);
 int runInfo(const std::string& path, bool json);
 int runRod(const RodArguments& arguments);

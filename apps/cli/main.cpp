@@ -23,6 +23,7 @@ constexpr const char* description =
 
 constexpr const char* firstSteps =
     "First steps:\n"
+    "  kushi new my-style.toml                            a commented style to begin with\n"
     "  kushi render styles/fig10-bob.toml -o bob.png      a picture of a style\n"
     "  kushi settle styles/fig10-bob.toml -o bob.hair     its strands, for other programs\n"
     "  kushi check my-style.toml                          what is wrong with a style, and where\n"
@@ -71,6 +72,7 @@ struct Arguments {
     bool json = false;
     SettleArguments settle;
     RenderArguments render;
+    SheetArguments sheet;
     RodArguments rod;
 };
 
@@ -116,12 +118,46 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "person's left)")
         ->capture_default_str();
     addSettleFlags(*command, arguments.flags);
-    command->add_option("--report", arguments.reportPath, "Write counts and times as JSON");
+    command->add_option("--report", arguments.reportPath,
+                        "Write counts, times and the share of scalp that shows as JSON");
     command->footer(
         "Examples:\n"
         "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
         "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080");
     command->callback([&] { status = runRender(arguments); });
+}
+
+void addSheet(CLI::App& program, SheetArguments& arguments, int& status) {
+    CLI::App* command =
+        program.add_subcommand("sheet", "Draw several styles, or one from several sides, in one");
+    command->add_option("STYLE|GROOM...", arguments.inputs, "Styles and grooms")->required();
+    command->add_option("-o,--output", arguments.output, "The sheet (.png)")->required();
+    command
+        ->add_option("--views", arguments.views,
+                     "As for render, with slashes between: front/left/30,10")
+        ->capture_default_str();
+    command->add_option("--cell", arguments.cell, "WIDTHxHEIGHT of each picture in pixels")
+        ->capture_default_str();
+    command
+        ->add_option("--supersample", arguments.supersample,
+                     "Samples per pixel along each axis; strands are one sample wide")
+        ->check(CLI::IsMember({1, 2, 4}))
+        ->capture_default_str();
+    addSettleFlags(*command, arguments.flags);
+    command->footer(
+        "One view of each makes a block, several make a row for each style.\n"
+        "Examples:\n"
+        "  kushi sheet styles/*.toml -o styles.png\n"
+        "  kushi sheet styles/fig10-bob.toml -o bob.png --views front/right/back/left");
+    command->callback([&] { status = runSheet(arguments); });
+}
+
+void addNew(CLI::App& program, Arguments& arguments, int& status) {
+    CLI::App* command = program.add_subcommand("new", "Write a commented style to begin with");
+    command->add_option("STYLE", arguments.style, "The file to write (.toml); must not exist yet")
+        ->required();
+    command->footer("Example: kushi new mine.toml && kushi render mine.toml -o mine.png");
+    command->callback([&] { status = runNew(arguments.style); });
 }
 
 void addConvert(CLI::App& program, Arguments& arguments, int& status) {
@@ -190,9 +226,11 @@ int runProgram(int argc, char** argv) {
 
     int status = Done;
     Arguments arguments;
+    addNew(program, arguments, status);
     addCheck(program, arguments, status);
     addSettle(program, arguments.settle, status);
     addRender(program, arguments.render, status);
+    addSheet(program, arguments.sheet, status);
     addConvert(program, arguments, status);
     addInfo(program, arguments, status);
     addRod(program, arguments.rod, status);

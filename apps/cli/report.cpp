@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -26,7 +27,9 @@ double StageClock::total() const {
     return sum;
 }
 
-std::string reportJson(const SettleReport& report, const StageClock& clock) {
+namespace {
+
+nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& clock) {
     nlohmann::ordered_json json;
     json["strands"] = report.strands;
     json["segments"] = report.segments;
@@ -38,6 +41,25 @@ std::string reportJson(const SettleReport& report, const StageClock& clock) {
     // The cantilever is one walk: it does not solve for rest, so it has no residual to converge.
     json["max_residual"] = nullptr;
     json["unsettled"] = 0;
+    return json;
+}
+
+}  // namespace
+
+std::string reportJson(const SettleReport& report, const StageClock& clock) {
+    return settleJson(report, clock).dump(2) + '\n';
+}
+
+std::string renderReportJson(const SettleReport& report, const std::vector<ScalpShowing>& showing,
+                             const StageClock& clock) {
+    nlohmann::ordered_json json = settleJson(report, clock);
+    json["scalp_showing"] = nullptr;
+    double most = 0;
+    for (const ScalpShowing& view : showing) {
+        json["scalp_showing"][view.view] = view.share;
+        most = std::max(most, view.share);
+    }
+    if (!showing.empty()) json["scalp_showing"]["max"] = most;
     return json.dump(2) + '\n';
 }
 

@@ -28,6 +28,16 @@ private:
 /// The text of --report, JSON.
 std::string reportJson(const SettleReport& report, const StageClock& clock);
 
+/// The share of the scalp that shows in a view.
+struct ScalpShowing {
+    std::string view;
+    double share = 0;
+};
+
+/// The same of a picture, with the scalp that shows by view where there is a head.
+std::string renderReportJson(const SettleReport& report, const std::vector<ScalpShowing>& showing,
+                             const StageClock& clock);
+
 /// "read 1 ms, plant 60 ms, settle 40 ms".
 std::string timesLine(const StageClock& clock);
 

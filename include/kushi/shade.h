@@ -2,9 +2,11 @@
 #pragma once
 
 #include <kushi/color.h>
+#include <kushi/ellipsoid.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,11 +32,14 @@ Lights studioLights();
 struct HairLook {
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself: dark brown
     Rgb specularColor = {1.0F, 0.85F, 0.70F};
-    float ambient = 0.4F;    ///< ka
-    float diffuse = 0.5F;    ///< kd
+    float ambient = 0.5F;    ///< ka
+    float diffuse = 0.75F;   ///< kd
     float specular = 0.45F;  ///< ks
     float shininess = 160;   ///< Blinn's exponent n, > 0; the highlight is as wide as Kajiya and
                              ///< Kay's with the exponent n / 4
+    /// Beyond the paper: what the hair covers. Hair on the side of it that is turned away from a
+    /// light gets none of that light; without it nothing casts a shadow.
+    std::optional<Ellipsoid> body = std::nullopt;
 };
 
 /// One linear colour per node, seen from `eye` [m]:
@@ -44,8 +49,9 @@ struct HairLook {
 ///
 /// That is Blinn's highlight for the brightest normal of the cylinder. t is the mean direction of
 /// the segments that meet at the node (one without length counts as its neighbours do), L points to
-/// the light, V to the eye; S = 0 for light straight from behind, |L + V| < 1e-4. Nothing casts a
-/// shadow. Neither the order of a strand's nodes nor the number of threads matters.
+/// the light, V to the eye; S = 0 for light straight from behind, |L + V| < 1e-4. With a body each
+/// light is also multiplied by smoothstep(-0.5, 0.4, N.L), N the body's outward normal at the node.
+/// Neither the order of a strand's nodes nor the number of threads matters.
 ///
 /// strands  where they have colours, these replace look.color
 /// colors   as many as strands.nodes; overwritten

@@ -83,10 +83,12 @@ struct ForceDirection {
     Vec3d vector;         ///< unit
 };
 
-/// Softened edges of a force; hard where 0.
+/// Softened edges of a force or a cut; hard where 0.
 struct Falloff {
-    double angle = 0;     ///< width of the ramp across each edge of the root range [rad]
-    double distance = 0;  ///< width of the ramp across each face of the box [m]
+    double angle = 0;  ///< width of the ramp across each edge of the root range [rad]
+    /// A force's: width of the ramp across each face of the box. A cut's: width over which the ends
+    /// of the strands are spread. [m]
+    double distance = 0;
 };
 
 /// An external force on some strands in some place (Usami & Anjyo 1992, 2.4, figure 7).
@@ -114,6 +116,9 @@ struct Cut {
     std::optional<double> below;  ///< height [m]
     std::vector<Keep> keep;       ///< by ascending y; linear between, constant beyond the ends
     CutMode mode = CutMode::Settle;
+    /// Across the edges of `roots` the cut takes less and less of what it would take; and each
+    /// strand is cut higher or lower, or longer or shorter, by up to half the distance at random.
+    Falloff falloff;
 };
 
 /// A separately defined body of hair.

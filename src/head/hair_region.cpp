@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace kushi {
 
@@ -14,14 +16,59 @@ constexpr AngleRange inDegrees(double thetaLow, double thetaHigh, double phiLow,
     return {radians(thetaLow), radians(thetaHigh), radians(phiLow), radians(phiHigh)};
 }
 
-// Bands of theta; each leaves out the forehead and, further down, the ears and the neck's sides.
-constexpr std::array region = {
-    inDegrees(0, 62, -180, 180),  inDegrees(62, 66, 28, 332),  inDegrees(66, 70, 40, 320),
-    inDegrees(70, 74, 52, 308),   inDegrees(74, 80, 62, 98),   inDegrees(74, 80, 262, 298),
-    inDegrees(74, 80, 111, 249),  inDegrees(80, 86, 68, 94),   inDegrees(80, 86, 266, 292),
-    inDegrees(80, 86, 114, 246),  inDegrees(86, 91, 74, 90),   inDegrees(86, 91, 270, 286),
-    inDegrees(86, 91, 117, 243),  inDegrees(91, 95, 121, 239), inDegrees(95, 101, 130, 230),
-    inDegrees(101, 107, 146, 214)};
+/// A point of the hairline [degrees]; straight between two of them.
+struct EdgePoint {
+    double theta, phi;
+};
+
+// The right half of the hairline; docs/head.md lists the same points.
+constexpr std::array hairline = {EdgePoint{61, 0},  EdgePoint{62, 14}, EdgePoint{64, 28},
+                                 EdgePoint{68, 40}, EdgePoint{74, 60}, EdgePoint{77, 63},
+                                 EdgePoint{83, 68}, EdgePoint{88, 74}, EdgePoint{91, 81}};
+// Before the ear, from its top down to the end of the sideburn ...
+constexpr std::array beforeEar = {EdgePoint{74, 105}, EdgePoint{75, 101}, EdgePoint{77, 98},
+                                  EdgePoint{83, 94},  EdgePoint{88, 90},  EdgePoint{91, 83}};
+// ... and behind it down to the nape.
+constexpr std::array behindEar = {EdgePoint{74, 105}, EdgePoint{75, 108},  EdgePoint{77, 111},
+                                  EdgePoint{83, 114}, EdgePoint{88, 117},  EdgePoint{93, 121},
+                                  EdgePoint{98, 130}, EdgePoint{104, 146}, EdgePoint{106, 158},
+                                  EdgePoint{107, 170}};
+
+// Where the edge runs at theta, which lies between its ends.
+double phiAt(std::span<const EdgePoint> edge, double theta) {
+    std::size_t i = 1;
+    while (i + 1 < edge.size() && edge[i].theta < theta)
+        ++i;
+    const EdgePoint from = edge[i - 1];
+    const EdgePoint to = edge[i];
+    return from.phi + (theta - from.theta) / (to.theta - from.theta) * (to.phi - from.phi);
+}
+
+// Bands of theta so narrow that their ends make a line.
+std::vector<AngleRange> hairlineBands() {
+    constexpr double width = 0.5;
+    std::vector<AngleRange> bands = {inDegrees(0, hairline.front().theta, -180, 180)};
+    for (double theta = hairline.front().theta; theta < behindEar.back().theta; theta += width) {
+        const auto add = [&](double from, double to) {
+            bands.push_back(inDegrees(theta, theta + width, from, to));
+        };
+        const double middle = theta + width / 2;
+        if (middle < beforeEar.front().theta) {
+            const double front = phiAt(hairline, middle);
+            add(front, 360 - front);
+            continue;
+        }
+        if (middle < beforeEar.back().theta) {
+            const double front = phiAt(hairline, middle);
+            const double ear = phiAt(beforeEar, middle);
+            add(front, ear);
+            add(-ear, -front);
+        }
+        const double back = phiAt(behindEar, middle);
+        add(back, 360 - back);
+    }
+    return bands;
+}
 
 constexpr std::array crown = {inDegrees(0, 32, -180, 180)};
 constexpr std::array top = {inDegrees(0, 62, -60, 60)};
@@ -60,7 +107,8 @@ std::span<const AngleRange> hairZone(std::string_view name) {
 }
 
 std::span<const AngleRange> hairRegion() {
-    return region;
+    static const std::vector<AngleRange> bands = hairlineBands();
+    return bands;
 }
 
 std::vector<std::uint8_t> scalpTriangles(const Mesh& head) {

@@ -21,6 +21,13 @@ std::optional<double> lengthAbove(double height, std::span<const Vec3d> nodes) {
     return std::nullopt;
 }
 
+double wholeLength(std::span<const Vec3d> nodes) {
+    double whole = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        whole += length(nodes[i] - nodes[i - 1]);
+    return whole;
+}
+
 double lengthKeptAt(const std::vector<Cut::Keep>& keep, double y) {
     const auto above =
         std::find_if(keep.begin(), keep.end(), [y](const Cut::Keep& pair) { return pair.y >= y; });
@@ -33,13 +40,18 @@ double lengthKeptAt(const std::vector<Cut::Keep>& keep, double y) {
 
 }  // namespace
 
-std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes) {
-    if (cut.below) return lengthAbove(*cut.below, nodes);
-    double whole = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i)
-        whole += length(nodes[i] - nodes[i - 1]);
-    const double kept = lengthKeptAt(cut.keep, nodes[0].y);
-    return kept < whole ? std::optional(kept) : std::nullopt;
+std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes, double at) {
+    const double shift = at * cut.falloff.distance / 2;
+    if (cut.below) return lengthAbove(*cut.below - shift, nodes);
+    const double kept = std::max(0.0, lengthKeptAt(cut.keep, nodes[0].y) + shift);
+    return kept < wholeLength(nodes) ? std::optional(kept) : std::nullopt;
+}
+
+std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes, double at,
+                                 double share) {
+    const auto left = lengthLeft(cut, nodes, at);
+    if (!left || share >= 1) return left;
+    return share * *left + (1 - share) * wholeLength(nodes);
 }
 
 std::vector<Vec3d> clipped(std::span<const Vec3d> nodes, double length) {

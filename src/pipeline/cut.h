@@ -13,7 +13,13 @@ namespace kushi {
 /// nothing where the cut does not reach the strand.
 ///
 /// nodes  at least two, root first [m]
-std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes);
+/// at     where in the spread of the cut's falloff the strand is cut, in [-1, 1]: 1 leaves most
+std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes, double at = 0);
+
+/// The same for a strand that a cut takes only a share in (0, 1] of: of the length that would go,
+/// that share goes.
+std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes, double at,
+                                 double share);
 
 /// The first `length` metres of a polyline, ending on the segment where that falls.
 std::vector<Vec3d> clipped(std::span<const Vec3d> nodes, double length);

@@ -13,6 +13,7 @@ namespace kushi {
 namespace {
 
 constexpr std::uint64_t lengthSalt = 0x6c656e677468;
+constexpr std::uint64_t cutSalt = 0x637574;
 
 std::vector<ActiveForce> forcesOn(const Part& part, EllipsoidAngles root) {
     std::vector<ActiveForce> active;
@@ -58,9 +59,11 @@ std::vector<Vec3d> settleStrand(const Style& style, const Part& part, const Stra
     CantileverRod rod = unbentRod(part, site);
     const double segmentLength = rod.length / segments;
     std::vector<Vec3d> nodes = bend(rod, world, segments);
+    const double cutAt = uniformSigned(mixKey(site.key, cutSalt));
     for (const Cut& cut : part.cuts) {
-        if (!contains(cut.roots, site.angles)) continue;
-        const auto left = lengthLeft(cut, nodes);
+        const double rootShare = share(cut.roots, site.angles, cut.falloff.angle);
+        if (rootShare <= 0) continue;
+        const auto left = lengthLeft(cut, nodes, cutAt, rootShare);
         if (!left) continue;
         if (*left <= 0) return {};
         if (cut.mode == CutMode::Hide) {

@@ -28,13 +28,23 @@ float highlight(Vec3f tangent, Vec3f toLight, Vec3f toEye, float shininess) {
     return std::pow(sine(tangent, sum / size), shininess);
 }
 
-Rgb shadeNode(Vec3f tangent, Vec3f toEye, Rgb color, const Lights& lights, const HairLook& look) {
+/// Share of a light that reaches a node: all on the body's side towards the light, none on the
+/// other and on the inside of the hair there.
+float reaching(const HairLook& look, Vec3f outward, Vec3f toLight) {
+    if (!look.body) return 1;
+    const float t = std::clamp((dot(outward, toLight) + 0.5F) / 0.9F, 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
+Rgb shadeNode(Vec3f tangent, Vec3f outward, Vec3f toEye, Rgb color, const Lights& lights,
+              const HairLook& look) {
     Rgb sum = look.ambient * (lights.ambient * color);
     for (const Light& light : lights.distant) {
         const float diffuse = look.diffuse * sine(tangent, light.direction);
         const float specular =
             look.specular * highlight(tangent, light.direction, toEye, look.shininess);
-        sum += light.color * (diffuse * color + specular * look.specularColor);
+        sum += reaching(look, outward, light.direction) * light.color *
+               (diffuse * color + specular * look.specularColor);
     }
     return sum;
 }
@@ -50,7 +60,10 @@ void shade(const Strands& strands, const Lights& lights, const HairLook& look, V
                 const std::size_t node = first + j;
                 const Vec3f toEye = directionBetween(strands.nodes[node], eye);
                 const Rgb color = strands.colors.empty() ? look.color : strands.colors[node];
-                colors[node] = shadeNode(tangent, toEye, color, lights, look);
+                const Vec3f outward =
+                    look.body ? look.body->normal(strands.nodes[node].as<double>()).as<float>()
+                              : Vec3f{};
+                colors[node] = shadeNode(tangent, outward, toEye, color, lights, look);
             });
         }
     });

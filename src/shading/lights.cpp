@@ -14,8 +14,8 @@ Light distantLight(Vec3f towards, Rgb color) {
 Lights studioLights() {
     return {.ambient = {0.33F, 0.34F, 0.36F},
             .distant = {distantLight({0.74F, 0.62F, 0.27F}, {0.80F, 0.78F, 0.75F}),
-                        distantLight({0.30F, 0.60F, -0.75F}, {0.13F, 0.135F, 0.145F}),
-                        distantLight({-0.80F, 0.60F, 0.1F}, {0.20F, 0.20F, 0.21F})}};
+                        distantLight({0.30F, 0.60F, -0.75F}, {0.18F, 0.19F, 0.20F}),
+                        distantLight({-0.80F, 0.60F, 0.1F}, {0.34F, 0.34F, 0.36F})}};
 }
 
 }  // namespace kushi

@@ -46,7 +46,7 @@ inline constexpr TableKeys hair = {
      "flexural_rigidity", "stiffness", "growth", "color", "variation"}};
 inline constexpr TableKeys force = {"[[part.force]]",
                                     {"roots", "within", "direction", "magnitude", "falloff"}};
-inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode"}};
+inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode", "falloff"}};
 inline constexpr TableKeys roots = {"roots", {"where", "theta", "phi"}};
 inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};

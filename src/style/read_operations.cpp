@@ -69,12 +69,12 @@ void readDirection(const TableReader& table, Force& force) {
     }
 }
 
-Falloff readFalloff(const Node& node, ReadContext& context) {
-    const TableReader table(node, tables::falloff, context);
-    Falloff falloff;
-    table.number("degrees", quantities::falloffAngle, falloff.angle);
-    table.number("cm", quantities::falloffDistance, falloff.distance);
-    return falloff;
+void readFalloffOf(const TableReader& operation, Falloff& out) {
+    const Node* node = operation.table("falloff", tables::falloff);
+    if (node == nullptr) return;
+    const TableReader table(*node, tables::falloff, operation.context());
+    table.number("degrees", quantities::falloffAngle, out.angle);
+    table.number("cm", quantities::falloffDistance, out.distance);
 }
 
 void readRoots(const TableReader& table, RootRanges& out) {
@@ -136,9 +136,7 @@ Force readForce(const Node& node, ReadContext& context) {
     }
     table.number("magnitude", quantities::magnitude, force.magnitude);
     readDirection(table, force);
-    if (const Node* falloff = table.table("falloff", tables::falloff)) {
-        force.falloff = readFalloff(*falloff, context);
-    }
+    readFalloffOf(table, force.falloff);
     return force;
 }
 
@@ -148,6 +146,7 @@ Cut readCut(const Node& node, ReadContext& context) {
     readRoots(table, cut.roots);
     readExtent(table, cut);
     table.choice<CutMode>("mode", {{"hide", CutMode::Hide}, {"settle", CutMode::Settle}}, cut.mode);
+    readFalloffOf(table, cut.falloff);
     return cut;
 }
 

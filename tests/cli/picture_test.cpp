@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace kushi::test {
 namespace {
-
-std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
 
 TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
     const std::string folder = freshFolder();
@@ -23,8 +19,7 @@ TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
         ASSERT_EQ(run.status, 0) << run.err;
         const std::string bytes = readBytes(folder + "/a.png");
         ASSERT_EQ(bytes.substr(1, 3), "PNG");
-        EXPECT_EQ(bigEndian(bytes, 16), 200U);
-        EXPECT_EQ(bigEndian(bytes, 20), 100U);
+        EXPECT_EQ(pngSize(bytes), (std::pair<std::uint32_t, std::uint32_t>(200, 100)));
         if (first.empty()) first = bytes;
         EXPECT_TRUE(bytes == first) << threads;
     }
@@ -46,6 +41,32 @@ TEST(RenderCommand, DrawsAHeadFromAFileBesideTheStyle) {
     const std::string pointed = render("[head]\nmesh = \"head.obj\"\n", "pointed");
     EXPECT_FALSE(bare == pointed);
     EXPECT_EQ(runKushi("check " + folder + "/pointed.toml").status, 0);
+}
+
+// Dense hair leaves less scalp to be seen than sparse hair; what is known is named by view.
+TEST(RenderCommand, ReportsTheScalpThatShows) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const auto showing = [&](const std::string& flags) {
+        const Outcome run =
+            runKushi("render " + folder + "/a.toml -o " + folder +
+                     "/a.png --size 100x100 --report " + folder + "/r.json " + flags);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return nlohmann::json::parse(readBytes(folder + "/r.json"))["scalp_showing"];
+    };
+    const auto sparse = showing("");
+    const auto dense = showing("--count 3000");
+    double most = 0;
+    for (const char* view : {"front", "back", "left", "right", "top", "three-quarter"}) {
+        most = std::max(most, sparse[view].get<double>());
+        EXPECT_LT(dense[view], sparse[view]) << view;
+    }
+    EXPECT_EQ(sparse["max"], most);
+    EXPECT_GT(most, 0.1);
+    EXPECT_LE(most, 1);
+
+    writeText(folder + "/a.toml", smallStyle() + "[head]\nmesh = \"none\"\n");
+    EXPECT_TRUE(showing("").is_null());
 }
 
 TEST(RenderCommand, DrawsGroomsMadeElsewhere) {

@@ -45,6 +45,16 @@ std::string readBytes(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes) {
+    const auto bigEndian = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            value = value << 8U | static_cast<unsigned char>(bytes.at(at + i));
+        return value;
+    };
+    return {bigEndian(16), bigEndian(20)};
+}
+
 std::string smallStyle() {
     return R"(kushi = 1
 name = "small"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
 
 namespace kushi::test {
 
@@ -19,6 +21,9 @@ std::string freshFolder();
 
 void writeText(const std::string& path, const std::string& text);
 std::string readBytes(const std::string& path);
+
+/// Width and height of a PNG.
+std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes);
 
 /// A small valid style.
 std::string smallStyle();

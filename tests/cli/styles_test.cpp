@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shipped hairstyles, settled and measured.
+#include "cli/crossings.h"
+
+#include <kushi/draw.h>
+#include <kushi/head.h>
 #include <kushi/settle.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -34,7 +39,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         EXPECT_GT(settle(*style, options)->strands.size(), 150U) << entry.path();
         ++styles;
     }
-    EXPECT_GE(styles, 5);
+    EXPECT_EQ(styles, 9);
 }
 
 // The first style that a stranger makes.
@@ -124,6 +129,152 @@ TEST(ShippedStyles, TheBobHasAFringeAPartingAndEndsThatTurnIn) {
     EXPECT_GT(lowestFringe, 0.0);
     EXPECT_GT(hanging, 1000);
     EXPECT_GT(turnedIn, hanging * 8 / 10);
+}
+
+// Figures 10 and 11: the styles that people wear.
+class WornStyles : public testing::TestWithParam<const char*> {};
+
+// As in the paper no scalp shows but at the parting and the hairline; how much of it, from the side
+// and from behind, at the style's own count and the drawn width.
+TEST_P(WornStyles, CoverTheScalp) {
+    const Result<Style> style =
+        readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/" + GetParam() + ".toml");
+    ASSERT_TRUE(style.ok());
+    const SettledGroom groom = std::move(*settle(*style));
+    EXPECT_GE(groom.strands.size(), 20000U);
+    const Strands strands = withInnerPieces(groom);
+    const Mesh head = mannequin();
+    const std::vector<std::uint8_t> scalp = scalpTriangles(head);
+    Bounds bounds = boundsOf(strands.nodes);
+    for (const char* view : {"back", "three-quarter"}) {
+        const Camera camera = frame(bounds, *parseView(view), 1);
+        const double share = countShowing(strands, head, scalp, camera, {}).share();
+        RecordProperty(view, std::to_string(share));
+        EXPECT_LT(share, 0.08) << view;
+    }
+}
+
+// Hair knows the ellipsoid only, which holds cranium, face and ears but neither neck nor bust.
+TEST_P(WornStyles, DoNotPassThroughTheHead) {
+    static const Mesh mesh = mannequin();
+    static const Crossings body(mesh);
+    static const Mesh headAlone = [] {
+        Mesh head = mannequin();
+        std::erase_if(head.triangles, [&](const auto& triangle) {
+            const Vec3f vertex = head.vertices[triangle[0]];
+            return vertex.y < (vertex.x > 0.02F ? -0.11F : -0.05F);
+        });
+        return head;
+    }();
+    static const Crossings head(headAlone);
+    const SettledGroom groom = settled(GetParam(), 4000);
+    int throughHead = 0;
+    int throughBody = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        throughHead += head.crosses(groom.strands.strand(i)) ? 1 : 0;
+        throughBody += body.crosses(groom.strands.strand(i)) ? 1 : 0;
+    }
+    std::printf("%s: %.2f %% through the head, %.2f %% through head, neck or bust\n", GetParam(),
+                0.025 * throughHead, 0.025 * throughBody);
+    EXPECT_EQ(throughHead, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShippedStyles, WornStyles,
+                         testing::Values("fig10-bob", "fig11a-side-parting", "fig11b-swept-back",
+                                         "fig11c-ponytail", "fig11d-short"));
+
+// Strands with a node before the face, below `height` [m].
+int strandsBeforeTheFace(const SettledGroom& groom, double height) {
+    int count = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        count += std::ranges::any_of(nodes, [&](Vec3f node) {
+            return node.x > 0.06F && std::abs(node.z) < 0.04F && node.y < height;
+        });
+    }
+    return count;
+}
+
+TEST(ShippedStyles, LeaveTheFaceFree) {
+    EXPECT_EQ(strandsBeforeTheFace(settled("fig10-bob", 8000), *landmarkHeight("eyes")), 0);
+    EXPECT_EQ(strandsBeforeTheFace(settled("fig11b-swept-back", 8000), 0.06), 0);
+    EXPECT_EQ(strandsBeforeTheFace(settled("fig11c-ponytail", 8000), 0.06), 0);
+    EXPECT_EQ(strandsBeforeTheFace(settled("fig11d-short", 8000), *landmarkHeight("eyes")), 0);
+}
+
+// Figures 10 and 11 (a): what grows beside the parting falls to its own side.
+double shareOnItsSide(const SettledGroom& groom, double partingPhi) {
+    int all = 0;
+    int right = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        const EllipsoidAngles angles = headEllipsoid().angles(nodes[0].as<double>());
+        const double past = degrees(angles.phi) - partingPhi;
+        if (degrees(angles.theta) < 10 || degrees(angles.theta) > 50 || std::abs(past) > 60)
+            continue;
+        ++all;
+        right += (nodes.back().z - nodes[0].z > 0) == (past > 0) ? 1 : 0;
+    }
+    return right / static_cast<double>(all);
+}
+
+TEST(ShippedStyles, HairFallsToItsSideOfTheParting) {
+    EXPECT_GT(shareOnItsSide(settled("fig10-bob", 8000), 0), 0.95);
+    EXPECT_GT(shareOnItsSide(settled("fig11a-side-parting", 8000), 15), 0.95);
+}
+
+// Figure 11 (b): the tips lie behind the roots, and behind the face.
+TEST(ShippedStyles, SweptBackHairLiesBehind) {
+    const SettledGroom groom = settled("fig11b-swept-back", 4000);
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        EXPECT_LT(nodes.back().x, 0.01F);
+    }
+}
+
+// Figure 11 (c): the rest ends at the knot; the tail hangs from it and narrows.
+TEST(ShippedStyles, ThePonytailIsGatheredAndNarrows) {
+    const SettledGroom groom = settled("fig11c-ponytail", 8000);
+    const Vec3f knot = {-0.11F, 0.04F, 0};
+    int rest = 0;
+    int gathered = 0;
+    double upper = 0;
+    double lower = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        if (length(nodes[0] - knot) > 0.025F) {
+            ++rest;
+            gathered += length(nodes.back() - knot) < 0.05F ? 1 : 0;
+            continue;
+        }
+        for (const Vec3f node : nodes) {
+            const double width = std::abs(node.z);
+            if (std::abs(node.y + 0.05F) < 0.01F) upper = std::max(upper, width);
+            if (std::abs(node.y + 0.17F) < 0.01F) lower = std::max(lower, width);
+        }
+    }
+    EXPECT_GT(gathered, rest * 9 / 10);
+    EXPECT_GT(lower, 0);
+    EXPECT_LT(lower, 0.7 * upper);
+}
+
+// Figure 11 (d): the lower hair grows, the shorter it is.
+TEST(ShippedStyles, ShortHairIsShorterBelow) {
+    const SettledGroom groom = settled("fig11d-short", 8000);
+    const auto meanLength = [&](float low, float high) {
+        double sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+            const auto nodes = groom.strands.strand(i);
+            if (nodes[0].y < low || nodes[0].y > high) continue;
+            sum += polylineLength(nodes);
+            ++count;
+        }
+        return sum / count;
+    };
+    EXPECT_LT(meanLength(-0.1F, -0.03F), 0.02);
+    EXPECT_LT(meanLength(-0.03F, 0.03F), meanLength(0.03F, 0.08F) - 0.01);
+    EXPECT_GT(meanLength(0.08F, 0.2F), 0.055);
 }
 
 }  // namespace

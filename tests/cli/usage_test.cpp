@@ -19,7 +19,8 @@ TEST(Usage, VersionIsOneLine) {
 TEST(Usage, HelpTeaches) {
     const Outcome run = runKushi("--help");
     EXPECT_EQ(run.status, 0);
-    for (const char* command : {"check", "settle", "render", "convert", "info", "rod"}) {
+    for (const char* command :
+         {"new", "check", "settle", "render", "sheet", "convert", "info", "rod"}) {
         EXPECT_THAT(run.out, HasSubstr(std::string("\n  ") + command));
         const Outcome help = runKushi(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0);
@@ -40,6 +41,13 @@ TEST(Usage, MistakesAreOneLineAndStatusTwo) {
                                   "render a.toml -o b.png --size 5x5x",
                                   "render a.toml -o b.png --view sideways",
                                   "render a.toml -o b.jpg",
+                                  "sheet a.toml",
+                                  "sheet a.toml -o b.jpg",
+                                  "sheet a.toml -o b.png --cell 5",
+                                  "sheet a.toml -o b.png --views front/sideways",
+                                  "sheet a.toml -o b.png --cell 16384x9 --views front/back",
+                                  "new",
+                                  "new a.txt",
                                   "settle a.toml -o b.abc",
                                   "settle a.toml -o b.hair --segments 257",
                                   "settle a.toml -o b.hair --count 0",

@@ -35,6 +35,36 @@ TEST(CutKeep, InterpolatesTheLengthByTheHeightOfTheRoot) {
     EXPECT_FALSE(lengthLeft(cut, rootAt(0)));
 }
 
+// Each strand its own height; together they cover the width.
+TEST(CutBelow, IsSpreadOverTheWidthOfItsFalloff) {
+    Cut cut;
+    cut.below = -0.5;
+    cut.falloff.distance = 0.4;
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, 0), 4.5);
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, 1), 4.7);
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, -1), 4.3);
+}
+
+TEST(CutKeep, IsSpreadOverTheWidthOfItsFalloff) {
+    Cut cut;
+    cut.keep = {{0, 1}};
+    cut.falloff.distance = 0.4;
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, 1), 1.2);
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, -1), 0.8);
+    cut.falloff.distance = 4;
+    EXPECT_EQ(*lengthLeft(cut, hook, -1), 0);
+}
+
+// The hook is 6 long; the cut would take 1.5 of it.
+TEST(CutBelow, TakesAShareOfWhatItWouldTake) {
+    Cut cut;
+    cut.below = -0.5;
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, 0, 1), 4.5);
+    EXPECT_DOUBLE_EQ(*lengthLeft(cut, hook, 0, 0.5), 5.25);
+    cut.below = -3;
+    EXPECT_FALSE(lengthLeft(cut, hook, 0, 0.5));
+}
+
 TEST(Clipped, EndsOnTheSegment) {
     EXPECT_EQ(clipped(hook, 2.5), (std::vector<Vec3d>{{0, 0, 0}, {0, 1, 0}, {1.5, 1, 0}}));
     EXPECT_EQ(clipped(hook, 3), (std::vector<Vec3d>{{0, 0, 0}, {0, 1, 0}, {2, 1, 0}}));

@@ -129,6 +129,39 @@ TEST(Settle, PartsShareACountByWhatTheyHave) {
     EXPECT_EQ(shortOnes, 20U);
 }
 
+// Without falloff the cut ends at the edge of its roots; with it, hair gets longer across the edge.
+TEST(Settle, ACutFadesAcrossTheEdgeOfItsRoots) {
+    Style style = plain(4000);
+    style.gravity = {};
+    Cut cut;
+    cut.keep = {{0, 0.05}};
+    cut.mode = CutMode::Hide;
+    cut.roots = {{{}, {radians(-40), radians(40)}}};
+    style.parts[0].cuts = {cut};
+    const auto shareCut = [&](double low, double high) {
+        const Ellipsoid& ellipsoid = style.parts[0].scalp.ellipsoid;
+        const SettledGroom groom = settled(style);
+        double sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+            const auto nodes = groom.strands.strand(i);
+            const double phi = degrees(ellipsoid.angles(nodes[0].as<double>()).phi);
+            if (phi < low || phi > high) continue;
+            sum += (0.25 - polylineLength(nodes)) / 0.2;
+            ++count;
+        }
+        return sum / count;
+    };
+    EXPECT_NEAR(shareCut(30, 39), 1, 1e-4);
+    EXPECT_NEAR(shareCut(41, 50), 0, 1e-4);
+
+    style.parts[0].cuts[0].falloff.angle = radians(20);
+    EXPECT_NEAR(shareCut(0, 29), 1, 1e-4);
+    EXPECT_NEAR(shareCut(39, 41), 0.5, 0.05);
+    EXPECT_GT(shareCut(33, 36), shareCut(44, 47) + 0.4);
+    EXPECT_NEAR(shareCut(51, 60), 0, 1e-4);
+}
+
 // Hide keeps the shape and only ends it; at the height exactly, but for strands that never reach
 // it.
 TEST(Settle, AHideCutShowsLessOfTheSameShape) {

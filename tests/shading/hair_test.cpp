@@ -152,6 +152,22 @@ TEST(Shade, TakesTheStrandsOwnColors) {
     EXPECT_EQ(colors[2], (Rgb{0, 0, 2}));
 }
 
+// Short hairs all round a ball, lit from +x: all light in front, none behind, inside or out.
+TEST(Shade, LeavesHairTurnedAwayFromTheLightDark) {
+    HairLook look = only(&HairLook::diffuse);
+    look.body = Ellipsoid{.center = {}, .semiAxes = {1, 1, 1}};
+    const auto lit = [&](float x, float z) {
+        return shaded(strandOf({{x, -0.1F, z}, {x, 0.1F, z}}), {1, 0, 0}, {0, 0, 1}, look)[0].r;
+    };
+    EXPECT_NEAR(lit(1, 0), 1, 1e-6);
+    EXPECT_GT(lit(0, 1), 0.3F);
+    EXPECT_LT(lit(0, 1), 0.9F);
+    EXPECT_EQ(lit(-1, 0), 0);
+    EXPECT_EQ(lit(-2, 0), 0);
+    look.body.reset();
+    EXPECT_NEAR(lit(-1, 0), 1, 1e-6);
+}
+
 TEST(Shade, TakesStrandsWithoutLength) {
     Strands strands = strandOf({{1, 2, 3}});
     strands.add(std::vector<Vec3f>{{1, 2, 3}, {1, 2, 3}}, 2);

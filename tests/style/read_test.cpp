@@ -336,12 +336,17 @@ TEST(Style, CutsAreReadInOrder) {
     const Part part = partWith(
         "[[cut]]\nroots = { theta = [0, 60], phi = [-60, 60] }\nbelow = -3.5\nmode = \"hide\"\n"
         "[[cut]]\nkeep = [[-4, 2.0], [8, 6], [9.5, 0]]\nmode = \"settle\"\n"
+        "falloff = { degrees = 18, cm = 1 }\n"
         "[[cut]]\nbelow = 0\n");
     ASSERT_EQ(part.cuts.size(), 3U);
     expectRange(part.cuts[0].roots.at(0).theta, 0, pi / 3);
     EXPECT_EQ(part.cuts[0].below, -0.035);
     EXPECT_TRUE(part.cuts[0].keep.empty());
     EXPECT_EQ(part.cuts[0].mode, CutMode::Hide);
+    EXPECT_EQ(part.cuts[0].falloff.angle, 0);
+    EXPECT_EQ(part.cuts[0].falloff.distance, 0);
+    EXPECT_DOUBLE_EQ(part.cuts[1].falloff.angle, pi / 10);
+    EXPECT_EQ(part.cuts[1].falloff.distance, 0.01);
 
     EXPECT_EQ(part.cuts[1].below, std::nullopt);
     ASSERT_EQ(part.cuts[1].keep.size(), 3U);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene.h"
+
+#include "input.h"
+
+#include <kushi/groom_io.h>
+#include <kushi/head.h>
+#include <kushi/shade.h>
+
+#include <charconv>
+
+namespace kushi {
+
+namespace {
+
+// Where portraits end below [cm from the shoulders up].
+constexpr double collar = 0.035;
+
+Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool measurePenetration,
+                        StageClock& clock) {
+    const Result<Style> style = readStyle(path);
+    if (!style) return style.problems();
+    clock.end("read");
+    const Result<SettledGroom> groom = settleWithProgress(*style, path, flags, measurePenetration);
+    if (!groom) return groom.problems();
+    Scene scene;
+    scene.strands = withInnerPieces(*groom);
+    scene.report = groom->report;
+    scene.body = style->parts[0].scalp.ellipsoid;
+    clock.add(groom->report.stages);
+    Result<Mesh> head = headOf(*style);
+    if (!head) return head.problems();
+    scene.head = std::move(*head);
+    clock.end("head");
+    return scene;
+}
+
+}  // namespace
+
+Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool measurePenetration,
+                        StageClock& clock) {
+    const Result<bool> isStyle = isStylePath(path);
+    if (!isStyle) return isStyle.problems();
+    if (*isStyle) return loadStyle(path, flags, measurePenetration, clock);
+    if (flags.count || flags.segments || !flags.method.empty()) {
+        return Problem{"--count, --segments and --method are for styles; a groom is drawn as it is",
+                       path};
+    }
+    Result<Strands> strands = readGroom(path);
+    if (!strands) return strands.problems();
+    Scene scene;
+    scene.strands = std::move(*strands);
+    scene.report.strands = scene.strands.size();
+    scene.report.segments = scene.strands.segmentCount();
+    clock.end("read");
+    return scene;
+}
+
+Camera portrait(const Scene& scene, View view, double aspect) {
+    const auto lowest = static_cast<float>(*landmarkHeight("shoulders") + collar);
+    Bounds bounds = boundsOf(scene.strands.nodes);
+    for (const Vec3f vertex : scene.head.vertices) {
+        if (vertex.y > lowest) bounds.include(vertex);
+    }
+    return frame(bounds, view, aspect);
+}
+
+Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock) {
+    const Lights lights = studioLights();
+    HairLook look;
+    look.body = scene.body;
+    std::vector<Rgb> colors(scene.strands.nodes.size());
+    shade(scene.strands, lights, look, camera.eye, colors, options.threads);
+    scene.head.colors = shadeMatt(scene.head, lights, {0.62F, 0.56F, 0.52F});
+    clock.end("shade");
+    Image image = draw(scene.strands, colors, scene.head, camera, options);
+    clock.end("draw");
+    return image;
+}
+
+Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag) {
+    int width = 0;
+    int height = 0;
+    const char* const end = text.data() + text.size();
+    const auto [x, widthError] = std::from_chars(text.data(), end, width);
+    const bool hasX = widthError == std::errc{} && x != end && *x == 'x';
+    const bool good = hasX && std::from_chars(x + 1, end, height).ptr == end;
+    if (!good || width < 1 || height < 1 || width > 16384 || height > 16384) {
+        return Problem{std::string(flag) +
+                       " is WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1024x1024; got '" +
+                       text + "'"};
+    }
+    return std::pair(width, height);
+}
+
+}  // namespace kushi

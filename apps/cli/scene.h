@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "commands.h"
+#include "report.h"
+
+#include <kushi/camera.h>
+#include <kushi/draw.h>
+#include <kushi/settle.h>
+
+#include <optional>
+#include <string>
+
+namespace kushi {
+
+/// What there is to draw of a style or a groom.
+struct Scene {
+    Strands strands;                ///< with their inner pieces, if a style's
+    Mesh head;                      ///< may be empty
+    std::optional<Ellipsoid> body;  ///< what the hair grows on, if it is known
+    SettleReport report;
+};
+
+/// Reads and settles a style, with the stages `read`, `plant`, `settle` and `head`, or reads a
+/// groom.
+Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool measurePenetration,
+                        StageClock& clock);
+
+/// A camera that sees all of the hair and the head down to its collar; the bust runs out of the
+/// picture.
+Camera portrait(const Scene& scene, View view, double aspect);
+
+/// The picture, by the studio's lights. Stages `shade` and `draw`.
+Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
+
+/// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
+Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);
+
+}  // namespace kushi

@@ -15,6 +15,7 @@
 #include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>
 #include <kushi/result.h>
+#include <kushi/rods.h>
 #include <kushi/settle.h>
 #include <kushi/shade.h>
 #include <kushi/strands.h>

@@ -24,8 +24,9 @@ const std::map<std::string, std::string> headerLayers = {
     {"ellipsoid.h", "geometry"}, {"mesh.h", "geometry"},  {"head.h", "head"},
     {"strands.h", "groom"},      {"groom_io.h", "io"},    {"image.h", "io"},
     {"mesh_io.h", "io"},         {"style.h", "style"},    {"follicles.h", "scalp"},
-    {"cantilever.h", "rod"},     {"planar_rod.h", "rod"}, {"settle.h", "pipeline"},
-    {"shade.h", "shading"},      {"camera.h", "render"},  {"draw.h", "render"}};
+    {"cantilever.h", "rod"},     {"planar_rod.h", "rod"}, {"rods.h", "rod"},
+    {"settle.h", "pipeline"},    {"shade.h", "shading"},  {"camera.h", "render"},
+    {"draw.h", "render"}};
 
 // Image is a plain value that io writes and render fills.
 bool isPlainValue(const std::string& header) {

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From rods to lanes and back.
+#if defined(KUSHI_ROD_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KUSHI_ROD_BATCH_INL_H
+#undef KUSHI_ROD_BATCH_INL_H
+#else
+#define KUSHI_ROD_BATCH_INL_H
+#endif
+
+#include "core/random.h"
+#include "rod/kernel/newton-inl.h"
+#include "rod/strand_batch.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace kushi {
+namespace HWY_NAMESPACE {
+
+// Number x of every strand side by side: V of lane -> value.
+template <class V, class Value>
+HWY_INLINE V gather(const Value& value) {
+    alignas(64) ScalarOf<V> lanes[LaneTraits<V>::count];
+    for (std::size_t lane = 0; lane < LaneTraits<V>::count; ++lane)
+        lanes[lane] = static_cast<ScalarOf<V>>(value(lane));
+    return loadLanes(lanes, V());
+}
+
+template <class V, class Value>
+HWY_INLINE V3<V> gatherVector(const Value& value) {
+    return {gather<V>([&](std::size_t lane) { return value(lane).x; }),
+            gather<V>([&](std::size_t lane) { return value(lane).y; }),
+            gather<V>([&](std::size_t lane) { return value(lane).z; })};
+}
+
+template <class V>
+HWY_INLINE V3<V> everywhere(Vec3d v) {
+    return {number<V>(v.x), number<V>(v.y), number<V>(v.z)};
+}
+
+// Tangents or frames as floats.
+template <class V>
+HWY_INLINE void eachNumber(V3<V>& state, const auto& visit) {
+    visit(state[0], std::size_t{0});
+    visit(state[1], std::size_t{1});
+    visit(state[2], std::size_t{2});
+}
+template <class V>
+HWY_INLINE void eachNumber(Quaternion<V>& state, const auto& visit) {
+    visit(state.w, std::size_t{0});
+    visit(state.v[0], std::size_t{1});
+    visit(state.v[1], std::size_t{2});
+    visit(state.v[2], std::size_t{3});
+}
+
+template <class V>
+HWY_INLINE V3<V> tangentOf(const Quaternion<V>& q) {
+    const V two(2);
+    return {two * (q.v[0] * q.v[2] + q.w * q.v[1]), two * (q.v[1] * q.v[2] - q.w * q.v[0]),
+            V(1) - two * (q.v[0] * q.v[0] + q.v[1] * q.v[1])};
+}
+
+// Strands side by side with all that a solve of them needs. Made once for a batch and used for each
+// of its blocks.
+template <class V, class Element>
+class Block {
+public:
+    static constexpr std::size_t width = LaneTraits<V>::count;
+    static constexpr std::size_t numbers = Element::freedoms == 2 ? 3 : 4;
+
+    explicit Block(const StrandBatch& batch)
+        : batch_(batch),
+          segments_(batch.rods->segments(batch.strands[0])),
+          elementRoom_(segments_),
+          nodeRoom_(segments_ + 1),
+          contactRoom_(
+              batch.world->obstacle != nullptr || !batch.world->forces.empty() ? segments_ + 1 : 0),
+          forceRoom_(batch.world->forces.size()),
+          elements_(elementRoom_.items()),
+          nodes_(nodeRoom_.items()),
+          contacts_(contactRoom_.items()) {
+        if (const Ellipsoid* e = batch.world->obstacle) {
+            ellipsoid_.center = everywhere<V>(e->center);
+            const Vec3d axes[] = {e->toWorldDirection({1 / e->semiAxes.x, 0, 0}),
+                                  e->toWorldDirection({0, 1 / e->semiAxes.y, 0}),
+                                  e->toWorldDirection({0, 0, 1 / e->semiAxes.z})};
+            for (int row = 0; row < 3; ++row) {
+                ellipsoid_.scaling(row, 0) = number<V>(axes[row].x);
+                ellipsoid_.scaling(row, 1) = number<V>(axes[row].y);
+                ellipsoid_.scaling(row, 2) = number<V>(axes[row].z);
+            }
+        }
+    }
+
+    // Strands of the batch by their places in it; lanes beyond the last repeat it.
+    HWY_INLINE void take(std::span<const std::uint32_t> places) {
+        places_ = places;
+        const Rods& rods = *batch_.rods;
+        const auto strand = [&](std::size_t lane) { return batch_.strands[place(lane)]; };
+        problem_.root = gatherVector<V>([&](std::size_t l) { return rods.roots[strand(l)]; });
+        const Quaternion<V> clamp = {
+            gather<V>([&](std::size_t l) { return rods.clamps[strand(l)].w; }),
+            {gather<V>([&](std::size_t l) { return rods.clamps[strand(l)].x; }),
+             gather<V>([&](std::size_t l) { return rods.clamps[strand(l)].y; }),
+             gather<V>([&](std::size_t l) { return rods.clamps[strand(l)].z; })}};
+        if constexpr (Element::freedoms == 2) {
+            problem_.clamp = tangentOf(clamp);
+        } else {
+            problem_.clamp = clamp;
+        }
+        length_ = gather<V>([&](std::size_t l) { return rods.lengths[strand(l)]; });
+        const V bending = gather<V>([&](std::size_t l) { return rods.bending[strand(l)]; });
+        const V twisting = gather<V>([&](std::size_t l) { return rods.twisting[strand(l)]; });
+        const V weight = gather<V>([&](std::size_t l) { return rods.weights[strand(l)]; });
+
+        V total(0);
+        V longest(0);
+        for (std::size_t j = 0; j < segments_; ++j) {
+            const auto segment = [&](std::size_t l) { return rods.offsets[strand(l)] + j; };
+            auto& element = elements_[j];
+            element.length =
+                rods.segmentLengths.empty()
+                    ? length_ * number<V>(1.0 / static_cast<double>(segments_))
+                    : gather<V>([&](std::size_t l) { return rods.segmentLengths[segment(l)]; });
+            V area(1);
+            if (!rods.thickness.empty()) {
+                area = gather<V>([&](std::size_t l) { return rods.thickness[segment(l)]; });
+                area = area * area;
+            }
+            element.weight = weight * area * element.length;
+            element.bend = bending * area * area / element.length;
+            total += element.weight;
+            longest = most(longest, element.length);
+            if constexpr (Element::freedoms == 3) {
+                element.twist = twisting * area * area / element.length;
+                const V3<V> curvature = gatherVector<V>(
+                    [&](std::size_t l) { return rods.naturalCurvature[segment(l)]; });
+                element.rest = element.length * curvature;
+                element.chord = helixChord(element.rest, element.length);
+            }
+        }
+        problem_.elements = elements_;
+        problem_.momentScale = bending / length_ + V(0.5F) * total * length_;
+        problem_.gravity = everywhere<V>(batch_.world->gravity);
+        problem_.tipLoad = {V(0), V(0), V(0)};
+        takeForces(longest);
+
+        V pull = squareRoot(dot(problem_.gravity, problem_.gravity));
+        for (const BoxForce<V>& force : forces_)
+            pull += magnitude(force.strength);
+        problem_.support.collider = batch_.world->obstacle == nullptr ? nullptr : &ellipsoid_;
+        problem_.support.skin = number<V>(contactSkin);
+        problem_.support.stiffness =
+            (V(4) * total * pull + bending / (length_ * length_)) * number<V>(1 / contactSkin);
+        gamma_ = total * pull * length_ * length_ / bending;
+    }
+
+    const Problem<V, Element>& problem() const { return problem_; }
+    std::span<Node<V, Element>> nodes() { return nodes_; }
+    std::span<Contact<V, Element>> contacts() { return contacts_; }
+    std::size_t lanes() const { return std::min(width, places_.size()); }
+    // w L^3 / EI with all loads.
+    V gamma() const { return gamma_; }
+
+    HWY_INLINE void load() {
+        nodes_[0].state = problem_.clamp;
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            eachNumber(nodes_[j].state, [&](V& x, std::size_t which) HWY_ATTR {
+                x = gather<V>([&](std::size_t l) { return turn(place(l), j, which); });
+            });
+        }
+    }
+
+    HWY_INLINE void store() {
+        alignas(64) ScalarOf<V> lane[width];
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            eachNumber(nodes_[j].state, [&](V& x, std::size_t which) HWY_ATTR {
+                storeLanes(x, lane);
+                for (std::size_t l = 0; l < lanes(); ++l)
+                    turn(places_[l], j, which) = static_cast<float>(lane[l]);
+            });
+        }
+    }
+
+    // Nodes, residuals and what has settled, to where they are wanted.
+    HWY_INLINE void write(const Progress<V>& at) {
+        alignas(64) ScalarOf<V> lane[3][width];
+        storeLanes(at.residual, lane[0]);
+        storeMask(at.settled, lane[1]);
+        for (std::size_t l = 0; l < lanes(); ++l) {
+            const std::uint32_t strand = batch_.strands[places_[l]];
+            batch_.residuals[strand] = static_cast<float>(lane[0][l]);
+            batch_.states[strand] = lane[1][l] != 0 ? 1 : 0;
+        }
+        std::array<Vec3f*, width> out;
+        for (std::size_t l = 0; l < lanes(); ++l)
+            out[l] = &batch_.nodes[batch_.rods->firstNode(batch_.strands[places_[l]])];
+        for (std::size_t j = 0; j <= segments_; ++j) {
+            for (int axis = 0; axis < 3; ++axis)
+                storeLanes(nodes_[j].position[axis], lane[axis]);
+            for (std::size_t l = 0; l < lanes(); ++l) {
+                out[l][j] = {static_cast<float>(lane[0][l]), static_cast<float>(lane[1][l]),
+                             static_cast<float>(lane[2][l])};
+            }
+        }
+    }
+
+    // The natural shape.
+    HWY_INLINE void unbend() {
+        nodes_[0].state = problem_.clamp;
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            if constexpr (Element::freedoms == 2) {
+                nodes_[j].state = problem_.clamp;
+            } else {
+                nodes_[j].state = carried(nodes_[j - 1].state, elements_[j - 1].rest);
+            }
+        }
+    }
+
+    // Strands in which a node lies inside the collider, with supports that yield less from now on.
+    HWY_INLINE MaskOf<V> stiffened() {
+        V deepest(1);
+        for (std::size_t j = 1; j <= segments_; ++j)
+            deepest = least(deepest, ellipsoid_.distance(nodes_[j].position));
+        const MaskOf<V> inside = deepest < number<V>(-contactDepth);
+        V& stiffness = problem_.support.stiffness;
+        stiffness = select(inside, V(8) * stiffness, stiffness);
+        return inside;
+    }
+
+    // The key's choice of a side, in [-1, 1).
+    HWY_INLINE V3<V> lean() const {
+        const auto part = [&](std::uint64_t salt) {
+            return gather<V>([&](std::size_t l) {
+                return uniformSigned(mixKey(batch_.rods->keys[batch_.strands[place(l)]], salt));
+            });
+        };
+        return {part(0x6c65616e78), part(0x6c65616e79), part(0x6c65616e7a)};
+    }
+
+private:
+    std::uint32_t place(std::size_t lane) const {
+        return places_[std::min(lane, places_.size() - 1)];
+    }
+
+    float& turn(std::uint32_t strandPlace, std::size_t node, std::size_t which) const {
+        return batch_.turns[(strandPlace * segments_ + node - 1) * numbers + which];
+    }
+
+    void takeForces(V longest) {
+        std::size_t count = 0;
+        const RodWorld& world = *batch_.world;
+        for (std::size_t f = 0; f < world.forces.size(); ++f) {
+            const Force& force = world.forces[f];
+            const V share = gather<V>([&](std::size_t l) {
+                return world.rootShares[batch_.strands[place(l)] * world.forces.size() + f];
+            });
+            if (!any(share > V(0)) || force.magnitude == 0) continue;
+            BoxForce<V>& box = forceRoom_.items()[count++];
+            box.low = everywhere<V>({force.within.x.low, force.within.y.low, force.within.z.low});
+            box.high =
+                everywhere<V>({force.within.x.high, force.within.y.high, force.within.z.high});
+            box.width = most(longest, number<V>(force.falloff.distance));
+            box.radial = force.direction.radial;
+            box.direction = everywhere<V>(force.direction.vector);
+            box.strength = number<V>(force.magnitude) * share;
+        }
+        forces_ = forceRoom_.items().first(count);
+        problem_.forces = forces_;
+    }
+
+    // d (alpha e3 + beta k3 k): the chord of a helix with natural curvature k in the frame of its
+    // middle.
+    HWY_INLINE static V3<V> helixChord(const V3<V>& rest, V length) {
+        const V s = dot(rest, rest);
+        const MaskOf<V> gentle = s < V(1e-2F);
+        alignas(64) ScalarOf<V> x[width];
+        storeLanes(squareRoot(s), x);
+        const V sine = gather<V>([&](std::size_t l) { return std::sin(0.5 * x[l]); });
+        const V half = V(0.5F) * squareRoot(s);
+        const V alpha =
+            select(gentle, V(1) - s * number<V>(1.0 / 24) + s * s * number<V>(1.0 / 1920),
+                   sine / most(half, V(1e-6F)));
+        const V beta = select(gentle, number<V>(1.0 / 24) - s * number<V>(1.0 / 1920),
+                              (V(1) - alpha) / most(s, V(1e-6F)));
+        const V along = beta * rest[2];
+        return length * V3<V>{along * rest[0], along * rest[1], alpha + along * rest[2]};
+    }
+
+    // The frame at the far end of an unloaded segment: turned by its rest strain.
+    HWY_INLINE static auto carried(const typename Element::State& from, const V3<V>& rest) {
+        alignas(64) ScalarOf<V> x[width];
+        storeLanes(squareRoot(dot(rest, rest)), x);
+        const V cosine = gather<V>([&](std::size_t l) { return std::cos(0.5 * x[l]); });
+        const V ratio = gather<V>(
+            [&](std::size_t l) { return x[l] < 1e-4 ? 0.5 : std::sin(0.5 * x[l]) / x[l]; });
+        return unitQuaternion(product(from, Quaternion<V>{cosine, ratio * rest}));
+    }
+
+    const StrandBatch& batch_;
+    std::size_t segments_;
+    std::span<const std::uint32_t> places_;
+    Problem<V, Element> problem_;
+    Room<typename Element::Segment> elementRoom_;
+    Room<Node<V, Element>> nodeRoom_;
+    Room<Contact<V, Element>> contactRoom_;
+    Room<BoxForce<V>> forceRoom_;
+    std::span<typename Element::Segment> elements_;
+    std::span<Node<V, Element>> nodes_;
+    std::span<Contact<V, Element>> contacts_;
+    std::span<BoxForce<V>> forces_;
+    LaneEllipsoid<V> ellipsoid_;
+    V length_;
+    V gamma_;
+};
+
+// Where a cold solve begins: the unloaded shape, bent a little to the side that the key chooses
+// where the load pushes straight back along the root.
+template <class V, class Element>
+HWY_INLINE void nudge(Block<V, Element>& block) {
+    const auto nodes = block.nodes();
+    const V3<V> side = block.lean();
+    for (std::size_t j = 1; j < nodes.size(); ++j) {
+        const V size = number<V>(1e-5 * static_cast<double>(j) / static_cast<double>(nodes.size()));
+        Column<V, Element::freedoms> turn;
+        turn[0] = size * side[0];
+        turn[1] = size * side[1];
+        if constexpr (Element::freedoms == 3) turn[2] = V(0);
+        nodes[j].state = Element::turned(nodes[j].state, turn);
+    }
+}
+
+// Brings a block to rest from the states and the share of loads that it has.
+template <class V, class Element>
+HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& options,
+                            Progress<V>& at) {
+    Newton<V, Element> newton(block.problem(), block.nodes(), block.contacts());
+    V steps(0);
+    for (int round = 0; round < 4; ++round) {
+        newton.run(options, at);
+        newton.place();
+        steps += at.steps;
+        if (block.problem().support.collider == nullptr) break;
+        if (!any(at.settled & block.stiffened())) break;
+    }
+    at.steps = steps;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kushi
+HWY_AFTER_NAMESPACE();
+
+#endif

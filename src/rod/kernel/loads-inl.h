@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What acts on strands from outside: gravity, forces in boxes, and the ellipsoid they rest on.
+#if defined(KUSHI_ROD_LOADS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KUSHI_ROD_LOADS_INL_H
+#undef KUSHI_ROD_LOADS_INL_H
+#else
+#define KUSHI_ROD_LOADS_INL_H
+#endif
+
+#include "rod/kernel/matrix-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace kushi {
+namespace HWY_NAMESPACE {
+
+// A force as multiples of the hair's own weight, wherever it acts in full.
+template <class V>
+struct BoxForce {
+    V3<V> low, high;  // the box [m]; may be infinite
+    V width;          // of the ramp across its faces [m], > 0
+    bool radial = false;
+    V3<V> direction;  // unit; not used if radial
+    V strength;       // magnitude times the share of the root range
+};
+
+// A smooth step from 0 to 1 across an edge, and its slope.
+template <class V>
+struct Ramp {
+    V share, slope;
+};
+
+template <class V>
+HWY_INLINE Ramp<V> ramp(V inside, V width) {
+    const V scale = reciprocal(width);
+    const V t = least(most(inside * scale + V(0.5F), V(0)), V(1));
+    return {t * t * (V(3) - V(2) * t), V(6) * t * (V(1) - t) * scale};
+}
+
+// What forces do at a place, in multiples of the hair's own weight.
+template <class V>
+struct Pull {
+    V3<V> force;
+    Matrix<V, 3, 3> stiffness;  // the symmetric part of its derivative, negated [1/m]
+    MaskOf<V> varies;
+};
+
+template <class V>
+HWY_INLINE void addForce(const BoxForce<V>& force, const V3<V>& at, Pull<V>& pull) {
+    V share = force.strength;
+    V3<V> slope;  // of the share, over the share
+    Ramp<V> edge[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const Ramp<V> low = ramp(at[axis] - force.low[axis], force.width);
+        const Ramp<V> high = ramp(force.high[axis] - at[axis], force.width);
+        edge[axis] = {low.share * high.share, low.slope * high.share - high.slope * low.share};
+    }
+    share = share * edge[0].share * edge[1].share * edge[2].share;
+    slope[0] = force.strength * edge[0].slope * edge[1].share * edge[2].share;
+    slope[1] = force.strength * edge[0].share * edge[1].slope * edge[2].share;
+    slope[2] = force.strength * edge[0].share * edge[1].share * edge[2].slope;
+
+    V3<V> direction = force.direction;
+    if (force.radial) {
+        const V scale = inverseRoot(most(at[0] * at[0] + at[2] * at[2], V(1e-6F)));
+        direction = {scale * at[0], V(0), scale * at[2]};
+        // The direction turns with the place.
+        const V across = share * scale;
+        pull.stiffness(0, 0) -= across * direction[2] * direction[2];
+        pull.stiffness(2, 2) -= across * direction[0] * direction[0];
+        pull.stiffness(0, 2) += across * direction[0] * direction[2];
+        pull.stiffness(2, 0) += across * direction[0] * direction[2];
+    }
+    pull.force = pull.force + share * direction;
+    pull.varies = pull.varies | (magnitude(share) > V(0)) | (dot(slope, slope) > V(0));
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            pull.stiffness(r, c) -= V(0.5F) * (direction[r] * slope[c] + direction[c] * slope[r]);
+}
+
+// A place as a collider sees it.
+template <class V>
+struct Nearness {
+    V distance;                 // to the surface, < 0 inside [m]
+    V3<V> normal;               // unit, outward
+    Matrix<V, 3, 3> curvature;  // derivative of the normal [1/m]
+};
+
+// An ellipsoid, in world axes: f(x) = |S R' (x - center)| - 1 with S = 1 / semi-axes.
+template <class V>
+struct LaneEllipsoid {
+    V3<V> center;
+    Matrix<V, 3, 3> scaling;  // S R'
+
+    // The distance is exact on the surface and of first order beside it.
+    HWY_INLINE Nearness<V> nearness(const V3<V>& at) const {
+        const V3<V> local = scaling * (at - center);
+        const V size = squareRoot(most(dot(local, local), V(1e-12F)));
+        const V3<V> gradient = (V(1) / size) * (transposed(scaling) * local);
+        const V slope = squareRoot(most(dot(gradient, gradient), V(1e-12F)));
+        const V3<V> normal = (V(1) / slope) * gradient;
+        // Of the surface through the place that is scaled about the center.
+        const Matrix<V, 3, 3> across = diagonal<3>(V(1)) - outer(normal, normal);
+        const Matrix<V, 3, 3> shape = across * (transposed(scaling) * scaling) * across;
+        return {(size - V(1)) / slope, normal, (V(1) / (size * slope)) * shape};
+    }
+
+    HWY_INLINE V distance(const V3<V>& at) const {
+        const V3<V> local = scaling * (at - center);
+        const V size = squareRoot(most(dot(local, local), V(1e-12F)));
+        const V3<V> gradient = transposed(scaling) * local;
+        return (size - V(1)) * size / squareRoot(most(dot(gradient, gradient), V(1e-12F)));
+    }
+};
+
+// A spring that begins `skin` above the surface: there the strands are held so that none reaches
+// the surface itself.
+template <class V>
+struct Support {
+    const LaneEllipsoid<V>* collider = nullptr;
+    V skin;       // [m]
+    V stiffness;  // [N/m]
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kushi
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rest of strands side by side: Newton's method on the rotations of the nodes.
+//
+// With dead loads the internal force of a segment is the sum of what hangs beyond it, whatever the
+// shape, so positions drop out and the Hessian is block tridiagonal. Where a collider is touched,
+// positions come back as a quadratic cost of (displacement, rotation) carried from tip to root (a
+// Riccati sweep); both are exact and O(n).
+#if defined(KUSHI_ROD_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KUSHI_ROD_NEWTON_INL_H
+#undef KUSHI_ROD_NEWTON_INL_H
+#else
+#define KUSHI_ROD_NEWTON_INL_H
+#endif
+
+#include "rod/kernel/curly-inl.h"
+#include "rod/kernel/loads-inl.h"
+
+#include <memory>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace kushi {
+namespace HWY_NAMESPACE {
+
+// What is to come to rest: one strand in each lane, all with as many segments.
+template <class V, class Element>
+struct Problem {
+    V3<V> root;
+    typename Element::State clamp;
+    std::span<const typename Element::Segment> elements;  // of segment j at index j - 1
+    V3<V> gravity;                                        // times the earth's
+    V3<V> tipLoad;                                        // [N]
+    std::span<const BoxForce<V>> forces;
+    Support<V> support;
+    V momentScale;  // EI/L + w L^2/2 [N m]
+};
+
+// What a sweep keeps of a node.
+template <class V, class Element>
+struct Node {
+    static constexpr int m = Element::freedoms;
+
+    typename Element::State state, before;
+    V3<V> position;
+    V3<V> load;  // of the segment that ends here, at its middle
+    // step = -(still + byTurn (step of the node before) + byPlace (displacement))
+    Column<V, m> step, still;
+    Matrix<V, m, m> byTurn;
+};
+
+// And where loads depend on the place: in the reach of forces and colliders.
+template <class V, class Element>
+struct Contact {
+    static constexpr int m = Element::freedoms;
+
+    V3<V> push;         // of the collider on the node
+    Matrix<V, 3, 3> k;  // stiffness of all that acts on it
+    V distance;         // to the collider
+    bool stiff;         // whether k is other than 0 in any lane
+    Matrix<V, m, 3> byPlace;
+    Matrix<V, 3, m> a, b;
+};
+
+template <class V>
+struct Progress {
+    V share;     // of the loads that has been put on, in (0, 1]
+    V shift;     // added to the Hessian's diagonal [N m]
+    V residual;  // largest imbalance of moments over momentScale at the last evaluation
+    V steps;     // taken
+    MaskOf<V> stable;
+    MaskOf<V> settled;
+};
+
+struct NewtonOptions {
+    double tolerance = 1e-5;  // of the residual
+    double reach = 0.8;       // most that a node turns in one step [rad]
+    double growth = 4;        // of the loads between steps
+    double readiness = 0.1;   // residual below which the loads may grow
+    double recovery = 1.5;    // how fast shortened steps grow again
+    // Share of a support's greatest push up to which the curvature of the surface counts. Little is
+    // quicker while many nodes find their places; all of it is needed where they nearly slide.
+    double curvature = 0.02;
+    int maxSteps = 40;
+};
+
+template <class V, class Element>
+class Newton {
+public:
+    static constexpr int m = Element::freedoms;
+    using Row = Node<V, Element>;
+    using Touch = Contact<V, Element>;
+
+    // contacts  as many as nodes, or none if the problem has no support
+    Newton(const Problem<V, Element>& problem, std::span<Row> nodes, std::span<Touch> contacts)
+        : problem_(problem), nodes_(nodes), contacts_(contacts) {}
+
+    // From the states in the nodes (the first is the clamp) to rest, in place. at.share is where
+    // the loads begin; they grow where the strand follows.
+    HWY_INLINE void run(const NewtonOptions& options, Progress<V>& at) {
+        const V base = problem_.elements[0].bend;
+        curvature_ = number<V>(options.curvature);
+        at.settled = V(1) < V(0);
+        at.steps = V(0);
+        V last(1e30F);     // residual before the last step
+        V allowed(1e30F);  // residual above which the step is taken back
+        V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
+        for (int step = 0;; ++step) {
+            load(at.share);
+            const V before = at.residual;
+            eliminate(at);
+            const MaskOf<V> good = at.residual <= allowed;
+            const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
+            at.settled = at.settled | ((at.share >= V(1)) & calm & at.stable);
+            if (!any(!at.settled) || step == options.maxSteps) return;
+
+            const MaskOf<V> go = (!at.settled) & at.stable & good;
+            const MaskOf<V> back = (!at.settled) & !good;
+            at.residual = select(good, at.residual, before);
+            const MaskOf<V> slow = (at.residual > V(0.9F) * last) & (at.share >= V(1));
+            relaxed = select(slow, most(V(0.1F), V(0.5F) * relaxed),
+                             least(V(1), number<V>(options.recovery) * relaxed));
+            advance(go, back, stepShare(go, relaxed, number<V>(options.reach)));
+            at.steps = select(at.settled, at.steps, at.steps + V(1));
+
+            const V lower = select(at.shift < V(1e-4F) * base, V(0), V(0.25F) * at.shift);
+            const V higher = most(V(16) * at.shift, V(1e-3F) * base);
+            at.shift = select(go, lower, select(at.settled, at.shift, higher));
+            const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
+            const V grown =
+                select(ready, least(V(1), number<V>(options.growth) * at.share), at.share);
+            const V jump = grown - at.share;
+            allowed = select(go, V(100) * (at.residual + jump) + V(1e-3F), allowed);
+            last = select(go, select(jump > V(0), V(1e30F), at.residual), last);
+            at.share = grown;
+        }
+    }
+
+    // Positions of all nodes.
+    HWY_INLINE void place() {
+        nodes_[0].position = problem_.root;
+        for (std::size_t j = 1; j < nodes_.size(); ++j) {
+            nodes_[j].position =
+                nodes_[j - 1].position +
+                Element::chord(problem_.elements[j - 1], nodes_[j - 1].state, nodes_[j].state);
+        }
+    }
+
+private:
+    // What acts on the strand where it is.
+    HWY_INLINE void load(V share) {
+        stiff_ = false;
+        if (contacts_.empty()) {
+            for (std::size_t j = 1; j < nodes_.size(); ++j)
+                nodes_[j].load = (share * problem_.elements[j - 1].weight) * problem_.gravity;
+            return;
+        }
+        place();
+        for (std::size_t j = 1; j < nodes_.size(); ++j)
+            touch(nodes_[j].position, contacts_[j]);
+        for (std::size_t j = 1; j < nodes_.size(); ++j)
+            pullOn(j, share);
+    }
+
+    HWY_INLINE void pullOn(std::size_t j, V share) {
+        Row& node = nodes_[j];
+        const V weight = share * problem_.elements[j - 1].weight;
+        Pull<V> pull{problem_.gravity, diagonal<3>(V(0)), V(1) < V(0)};
+        const V3<V> middle = V(0.5F) * (nodes_[j - 1].position + node.position);
+        for (const BoxForce<V>& force : problem_.forces)
+            addForce(force, middle, pull);
+        node.load = weight * pull.force;
+        if (!any(pull.varies)) return;
+        // Half of it as if it hung on each end.
+        stiff_ = true;
+        const Matrix<V, 3, 3> half = (V(0.5F) * weight) * pull.stiffness;
+        for (const std::size_t end : {j - 1, j}) {
+            contacts_[end].k = contacts_[end].k + half;
+            contacts_[end].stiff = true;
+        }
+    }
+
+    HWY_INLINE void touch(const V3<V>& place, Touch& contact) {
+        const Support<V>& support = problem_.support;
+        contact.push = {V(0), V(0), V(0)};
+        contact.k = diagonal<3>(V(0));
+        contact.stiff = false;
+        if (support.collider == nullptr) return;
+        contact.distance = support.collider->distance(place);
+        const V depth = most(support.skin - contact.distance, V(0));
+        if (!any(depth > V(0))) return;
+        stiff_ = contact.stiff = true;
+        const Nearness<V> near = support.collider->nearness(place);
+        const V push = support.stiffness * depth;
+        const V spring = select(depth > V(0), support.stiffness, V(0));
+        contact.push = push * near.normal;
+        contact.k = spring * outer(near.normal, near.normal) -
+                    least(push, curvature_ * support.stiffness * support.skin) * near.curvature;
+    }
+
+    // How much of the step to take: no node turns by more than `reach`, nor goes far into a
+    // collider at once.
+    HWY_INLINE V stepShare(MaskOf<V> go, V relaxed, V reach) {
+        const V largest = substitute();
+        const V scale = relaxed * least(V(1), reach * reciprocal(most(largest, V(1e-6F))));
+        return problem_.support.collider != nullptr ? untilTouch(go, scale) : scale;
+    }
+
+    // The share of a step up to where a node has just entered the skin: there the collider pushes
+    // back in the next.
+    HWY_INLINE V untilTouch(MaskOf<V> go, V scale) {
+        const Support<V>& support = problem_.support;
+        const V bottom = V(0.98F) * support.skin;
+        typename Element::State state = nodes_[0].state;
+        V3<V> at = problem_.root;
+        V reach(1);
+        for (std::size_t j = 1; j < nodes_.size(); ++j) {
+            const auto next = Element::turned(nodes_[j].state, scale * nodes_[j].step);
+            at = at + Element::chord(problem_.elements[j - 1], state, next);
+            state = next;
+            const V now = contacts_[j].distance;
+            const V then = support.collider->distance(at);
+            const V free = now - least(bottom, V(0.5F) * now);
+            const V fall = most(now - then, V(1e-9F));
+            reach =
+                select((free < fall) & (now > V(0)), least(reach, free * reciprocal(fall)), reach);
+        }
+        return scale * select(go, reach, V(0));
+    }
+
+    // Tip to root: moments, residual, and the elimination of each node's rotation.
+    HWY_INLINE void eliminate(Progress<V>& at) {
+        const V least = V(1e-6F) * problem_.elements[0].bend;
+        V3<V> beyond = at.share * problem_.tipLoad;  // force on the end of segment j
+        V worst(0);
+        at.stable = V(0) < V(1);
+        firstFree_ = nodes_.size();
+        Matrix<V, m, m> hessian = diagonal<m>(V(0));  // of all beyond node j in its turn
+        Column<V, m> pull = zeros<m>();
+        Column<V, m> carried = zeros<m>();  // the gradient that segment j + 1 gives node j
+        Cost cost = Cost::none();
+
+        for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
+            Row& node = nodes_[j];
+            const bool coupled = stiff_ && (firstFree_ < nodes_.size() || contacts_[j].stiff);
+            if (stiff_) beyond = beyond + contacts_[j].push;
+            const auto d = Element::derive(problem_.elements[j - 1], nodes_[j - 1].state,
+                                           node.state, beyond + V(0.5F) * node.load, coupled);
+            beyond = beyond + node.load;
+            const Column<V, m> gradient = d.gb + carried;
+            for (int r = 0; r < m; ++r)
+                worst = most(worst, magnitude(gradient[r]));
+            carried = d.ga;
+
+            hessian = hessian + d.hbb;
+            for (int r = 0; r < m; ++r)
+                hessian(r, r) = hessian(r, r) + at.shift;
+            pull = pull + d.gb;
+            if (coupled) {
+                if (firstFree_ == nodes_.size()) firstFree_ = j + 1;
+                couple(node, contacts_[j], d, least, at.stable, hessian, pull, cost);
+            } else {
+                const auto factors = factorize(hessian, least, at.stable);
+                node.still = factors.solve(pull);
+                node.byTurn = factors.solve(transposed(d.hab));
+                hessian = d.haa - d.hab * node.byTurn;
+                pull = d.ga - d.hab * node.still;
+            }
+        }
+        at.residual = worst * reciprocal(problem_.momentScale);
+    }
+
+    template <int R>
+    HWY_INLINE static Column<V, R> zeros() {
+        Column<V, R> zero;
+        for (int r = 0; r < R; ++r)
+            zero[r] = V(0);
+        return zero;
+    }
+
+    // What lies beyond a node costs when the node is displaced: place' xx place / 2 +
+    // place' xf turn + x' place.
+    struct Cost {
+        Matrix<V, 3, 3> xx;
+        Matrix<V, 3, m> xf;
+        V3<V> x;
+
+        HWY_INLINE static Cost none() {
+            Cost cost;
+            cost.xx = diagonal<3>(V(0));
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < m; ++c)
+                    cost.xf(r, c) = V(0);
+            cost.x = zeros<3>();
+            return cost;
+        }
+    };
+
+    HWY_INLINE void couple(Row& node, Touch& contact, const Derivatives<V, m>& d, V least,
+                           MaskOf<V>& stable, Matrix<V, m, m>& hessian, Column<V, m>& pull,
+                           Cost& cost) {
+        const Matrix<V, 3, 3> q = contact.k + cost.xx;
+        const Matrix<V, 3, m> qb = q * d.b;
+        const Matrix<V, m, 3> bt = transposed(d.b);
+        const Matrix<V, m, m> mixed = bt * cost.xf;
+        const Matrix<V, 3, m> w = qb + cost.xf;
+        hessian = hessian + bt * qb + mixed + transposed(mixed);
+        pull = pull + bt * cost.x;
+
+        const auto factors = factorize(hessian, least, stable);
+        node.still = factors.solve(pull);
+        node.byTurn = factors.solve(transposed(d.hab));
+        contact.byPlace = factors.solve(transposed(w));
+        contact.a = d.a;
+        contact.b = d.b;
+
+        const Matrix<V, m, 3> at = transposed(d.a);
+        const Matrix<V, 3, 3> yy = q - w * contact.byPlace;
+        const Matrix<V, 3, m> yya = yy * d.a;
+        const Matrix<V, 3, m> ya = V(-1) * (w * node.byTurn);
+        const Matrix<V, m, m> aya = at * ya;
+        hessian = d.haa - d.hab * node.byTurn + at * yya + aya + transposed(aya);
+        cost.xx = yy;
+        cost.xf = yya + ya;
+        cost.x = cost.x - w * node.still;
+        pull = d.ga - d.hab * node.still + at * cost.x;
+    }
+
+    // Root to tip: the step of each node. Returns the largest turn.
+    HWY_INLINE V substitute() {
+        Column<V, m> turn = zeros<m>();
+        V3<V> moved = {V(0), V(0), V(0)};
+        V largest(0);
+        for (std::size_t j = 1; j < nodes_.size(); ++j) {
+            Row& node = nodes_[j];
+            const bool coupled = stiff_ && firstFree_ < nodes_.size() && j < firstFree_;
+            Column<V, m> back = node.still + node.byTurn * turn;
+            if (coupled) {
+                moved = moved + contacts_[j].a * turn;
+                back = back + contacts_[j].byPlace * moved;
+            }
+            turn = V(-1) * back;
+            if (coupled) moved = moved + contacts_[j].b * turn;
+            node.step = turn;
+            largest = most(largest, dot(turn, turn));
+        }
+        return squareRoot(largest);
+    }
+
+    // Steps of some lanes, and others back to where they came from.
+    HWY_INLINE void advance(MaskOf<V> go, MaskOf<V> back, V scale) {
+        scale = select(go, scale, V(0));
+        for (std::size_t j = 1; j < nodes_.size(); ++j) {
+            Row& node = nodes_[j];
+            const auto turned = Element::turned(node.state, scale * node.step);
+            const auto next = select(go, turned, select(back, node.before, node.state));
+            node.before = select(go, node.state, node.before);
+            node.state = next;
+        }
+    }
+
+    const Problem<V, Element>& problem_;
+    std::span<Row> nodes_;
+    std::span<Touch> contacts_;
+    V curvature_;
+    bool stiff_ = false;         // any k of any lane
+    std::size_t firstFree_ = 0;  // nodes from here to the tip touch nothing
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kushi
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Compiled for every instruction set that the compiler knows; the processor's best is chosen when
+// the program runs.
+#include "rod/strand_batch.h"
+
+// One target for each width of register is enough.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
+#include "rod/kernel/batch-inl.h"
+
+#include <hwy/foreach_target.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kushi {
+namespace HWY_NAMESPACE {
+
+enum class Start { Cold, Warm, Further };
+
+// How far the loads of a strand had grown when it was left.
+struct Left {
+    std::vector<std::uint32_t> places;
+    std::vector<float> shares;
+};
+
+// Settles strands side by side; those that are not yet at rest are added to `left`.
+template <class Element>
+void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from, Start start,
+                const NewtonOptions& options, Left& left) {
+    const std::size_t size = std::min(Lanes::count, some.places.size() - from);
+    block.take(std::span(some.places).subspan(from, size));
+    Progress<Lanes> at{};
+    if (start == Start::Cold) {
+        block.unbend();
+        nudge(block);
+        at.share = least(Lanes(1), Lanes(4) * reciprocal(most(block.gamma(), Lanes(1))));
+    } else {
+        block.load();
+        at.share = gather<Lanes>([&](std::size_t lane) {
+            return start == Start::Warm ? 1.0F
+                                        : some.shares[std::min(from + lane, from + size - 1)];
+        });
+    }
+    settleBlock(block, options, at);
+    block.store();
+    block.write(at);
+
+    alignas(64) float settled[Lanes::count];
+    alignas(64) float share[Lanes::count];
+    storeMask(at.settled, settled);
+    storeLanes(at.share, share);
+    for (std::size_t lane = 0; lane < size; ++lane) {
+        if (settled[lane] != 0) continue;
+        left.places.push_back(some.places[from + lane]);
+        left.shares.push_back(share[lane]);
+    }
+}
+
+// A few steps for all; those that need more are put together and go on.
+template <class Element>
+void settleAll(const StrandBatch& batch) {
+    Block<Lanes, Element> block(batch);
+    Left some;
+    for (std::uint32_t i = 0; i < batch.strands.size(); ++i)
+        some.places.push_back(i);
+
+    NewtonOptions options;
+    options.tolerance = batch.tolerance;
+    Start start = batch.warm ? Start::Warm : Start::Cold;
+    for (const int steps : {batch.warm ? 3 : 6, 10, 30, 120}) {
+        options.maxSteps = steps;
+        if (steps == 120) options.curvature = 1;
+        Left left;
+        for (std::size_t from = 0; from < some.places.size(); from += Lanes::count)
+            settleSome(block, some, from, start, options, left);
+        some = std::move(left);
+        start = Start::Further;
+    }
+}
+
+void settleLanesHere(const StrandBatch& batch) {
+    if (batch.rods->naturalCurvature.empty()) {
+        settleAll<Straight<Lanes>>(batch);
+    } else {
+        settleAll<Curly<Lanes>>(batch);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kushi
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kushi {
+
+HWY_EXPORT(settleLanesHere);
+
+void settleLanes(const StrandBatch& batch) {
+    HWY_DYNAMIC_DISPATCH(settleLanesHere)(batch);
+}
+
+}  // namespace kushi
+#endif

@@ -38,8 +38,7 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     options.segments = flags.segments;
     options.count = flags.count;
     if (!flags.method.empty()) {
-        options.method =
-            flags.method == "equilibrium" ? Method::Equilibrium : Method::Cantilever;
+        options.method = flags.method == "equilibrium" ? Method::Equilibrium : Method::Cantilever;
     }
     options.threads = flags.threads;
     options.measurePenetration = measurePenetration;

@@ -38,8 +38,8 @@ struct SettleReport {
     /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps
     /// nodes outside, not what lies between them.
     std::optional<double> maxPenetration;
-    /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how many
-    /// strands did not come to rest. The cantilever solves for no rest.
+    /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how
+    /// many strands did not come to rest. The cantilever solves for no rest.
     std::optional<double> maxResidual;
     std::size_t unsettled = 0;
 };

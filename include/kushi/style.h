@@ -57,15 +57,15 @@ enum class Growth {
 
 /// Hair whose natural shape is a helix about the direction in which it grows.
 struct Curl {
-    double radius = 0;      ///< m, > 0
-    double pitch = 0;       ///< m from turn to turn along the helix's axis, > 0
+    double radius = 0;        ///< m, > 0
+    double pitch = 0;         ///< m from turn to turn along the helix's axis, > 0
     double variation = 0.15;  ///< each strand's curl is larger or smaller by up to this share
 };
 
 /// Hair whose natural shape is a plane wave about the direction in which it grows.
 struct Wave {
-    double amplitude = 0;   ///< m, from the middle line to a crest, > 0
-    double length = 0;      ///< m from crest to crest, > 0
+    double amplitude = 0;     ///< m, from the middle line to a crest, > 0
+    double length = 0;        ///< m from crest to crest, > 0
     double variation = 0.15;  ///< as of Curl
 };
 
@@ -79,7 +79,7 @@ struct Hair {
     std::optional<double> flexuralRigidity;  ///< N m2; replaces the value from modulus and diameter
     double shearModulus = 0.89e9;            ///< Pa
     double stiffness = 1;                    ///< times the rigidity
-    double taper = 0;  ///< share by which the tip is thinner than the root, in [0, 0.95]
+    double taper = 0;          ///< share by which the tip is thinner than the root, in [0, 0.95]
     std::optional<Curl> curl;  ///< at most one of curl and wave
     std::optional<Wave> wave;
     Growth growth = Growth::Normal;

@@ -168,7 +168,8 @@ double largestTurn(const Rods& rods) {
         for (std::size_t j = rods.offsets[i]; j < rods.offsets[i + 1]; ++j) {
             const float size =
                 rods.segmentLengths.empty() ? rods.lengths[i] / n : rods.segmentLengths[j];
-            largest = std::max(largest, static_cast<double>(size * length(rods.naturalCurvature[j])));
+            largest =
+                std::max(largest, static_cast<double>(size * length(rods.naturalCurvature[j])));
         }
     }
     return largest;

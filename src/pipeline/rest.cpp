@@ -27,8 +27,8 @@ std::vector<float> rootShares(const Part& part, const Follicles& follicles,
     std::vector<float> shares;
     for (const std::uint32_t i : which) {
         for (const Force& force : part.forces) {
-            shares.push_back(static_cast<float>(
-                share(force.roots, follicles.angles[i], force.falloff.angle)));
+            shares.push_back(
+                static_cast<float>(share(force.roots, follicles.angles[i], force.falloff.angle)));
         }
     }
     return shares;
@@ -86,11 +86,10 @@ public:
             } else if (cut.mode == CutMode::Hide) {
                 nodes = clipped(nodes, *left);
             } else {
-                const double segment =
-                    sizes_.lengths[i] / static_cast<double>(sizes_.segments[i]);
+                const double segment = sizes_.lengths[i] / static_cast<double>(sizes_.segments[i]);
                 sizes_.lengths[i] = *left;
-                sizes_.segments[i] = static_cast<std::size_t>(
-                    std::max(1.0, std::ceil(*left / segment - 1e-9)));
+                sizes_.segments[i] =
+                    static_cast<std::size_t>(std::max(1.0, std::ceil(*left / segment - 1e-9)));
                 changed.push_back(i);
             }
         }

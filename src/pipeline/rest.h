@@ -12,7 +12,7 @@ namespace kushi {
 struct RestedPart {
     std::vector<Vec3f> nodes;                  ///< visible ones [m]
     std::vector<std::uint32_t> offsets = {0};  ///< of each follicle's; none where it has no hair
-    double maxResidual = 0;  ///< moments over EI/L + w L^2/2
+    double maxResidual = 0;                    ///< moments over EI/L + w L^2/2
     std::size_t unsettled = 0;
 };
 

@@ -214,15 +214,15 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
             shapes.rested = std::move(*rested);
         }
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        parallelFor(
-            follicles.size(), blockSize, options.threads, [&](std::size_t begin, std::size_t end) {
-                blocks[begin / blockSize] =
-                    settleBlock(shapes, begin, end, options.measurePenetration);
-                const std::size_t sofar = done += end - begin;
-                if (options.progress) {
-                    options.progress(static_cast<double>(sofar) / static_cast<double>(all));
-                }
-            });
+        parallelFor(follicles.size(), blockSize, options.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                        blocks[begin / blockSize] =
+                            settleBlock(shapes, begin, end, options.measurePenetration);
+                        const std::size_t sofar = done += end - begin;
+                        if (options.progress) {
+                            options.progress(static_cast<double>(sofar) / static_cast<double>(all));
+                        }
+                    });
         for (const Block& block : blocks) {
             append(groom.strands, block.strands);
             append(groom.innerEnds, block.innerEnds);

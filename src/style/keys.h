@@ -56,9 +56,9 @@ inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {&top,   &head,      &landmarks, &solver, &part,
-                                           &scalp, &ellipsoid, &regions,   &hair,   &curl, &wave, &force,
-                                           &cut,   &roots,     &within,    &falloff};
+inline constexpr const TableKeys* all[] = {&top,       &head,    &landmarks, &solver, &part, &scalp,
+                                           &ellipsoid, &regions, &hair,      &curl,   &wave, &force,
+                                           &cut,       &roots,   &within,    &falloff};
 
 }  // namespace tables
 

@@ -37,9 +37,9 @@ bool readVersion(const Node& root, Diagnostics& problems) {
 Solver readSolver(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::solver, context);
     Solver solver;
-    table.choice<Method>(
-        "method", {{"cantilever", Method::Cantilever}, {"equilibrium", Method::Equilibrium}},
-        solver.method);
+    table.choice<Method>("method",
+                         {{"cantilever", Method::Cantilever}, {"equilibrium", Method::Equilibrium}},
+                         solver.method);
     table.number("grading", quantities::grading, solver.grading);
     if (solver.method == Method::Cantilever && solver.grading != 1) {
         context.problems.add(node.find("grading")->at,

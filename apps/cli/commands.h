@@ -53,6 +53,12 @@ struct RodArguments {
     bool json = false;
 };
 
+struct BenchArguments {
+    int runs = 7;
+    int threads = 0;
+    bool json = false;
+};
+
 // The commands; each returns the exit status.
 int runCheck(const std::string& path);
 int runSettle(const SettleArguments& arguments);
@@ -62,5 +68,6 @@ int runNew(const std::string& path);
 int runConvert(const std::string& from, const std::string& to);
 int runInfo(const std::string& path, bool json);
 int runRod(const RodArguments& arguments);
+int runBench(const BenchArguments& arguments);
 
 }  // namespace kushi

@@ -69,6 +69,7 @@ struct Arguments {
     RenderArguments render;
     SheetArguments sheet;
     RodArguments rod;
+    BenchArguments bench;
 };
 
 void addCheck(CLI::App& program, Arguments& arguments, int& status) {
@@ -200,6 +201,19 @@ void addRod(CLI::App& program, RodArguments& arguments, int& status) {
     command->callback([&] { status = runRod(arguments); });
 }
 
+void addBench(CLI::App& program, BenchArguments& arguments, int& status) {
+    CLI::App* command = program.add_subcommand("bench", "Time the solvers on 50,000 strands");
+    command->add_option("--runs", arguments.runs, "Of each; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--threads", arguments.threads, "0: as many as the machine has")
+        ->check(CLI::Range(0, 1024));
+    command->add_flag("--json", arguments.json,
+                      "Print JSON: name, strands, segments, threads, median_ms, runs");
+    command->footer("docs/command-line.md says what is timed.");
+    command->callback([&] { status = runBench(arguments); });
+}
+
 // What is wrong with the first word, if it is to be a command and is none.
 std::string checkCommand(const CLI::App& program, int argc, char** argv) {
     std::string names;
@@ -229,6 +243,7 @@ int runProgram(int argc, char** argv) {
     addConvert(program, arguments, status);
     addInfo(program, arguments, status);
     addRod(program, arguments.rod, status);
+    addBench(program, arguments.bench, status);
 
     if (const std::string wrong = checkCommand(program, argc, argv); !wrong.empty()) {
         std::fprintf(stderr, "kushi: error: %s (see kushi --help)\n", wrong.c_str());

@@ -59,7 +59,8 @@ enum class Growth {
 struct Curl {
     double radius = 0;        ///< m, > 0
     double pitch = 0;         ///< m from turn to turn along the helix's axis, > 0
-    double variation = 0.15;  ///< each strand's curl is larger or smaller by up to this share
+    double variation = 0.15;  ///< share by which size and phase vary from strand to strand and lock
+                              ///< to lock, in [0, 0.9]
 };
 
 /// Hair whose natural shape is a plane wave about the direction in which it grows.

@@ -16,6 +16,7 @@ constexpr std::uint64_t lengthSalt = 0x6c656e677468;
 constexpr std::uint64_t phaseSalt = 0x7068617365;
 constexpr std::uint64_t rollSalt = 0x726f6c6c;
 constexpr std::uint64_t sizeSalt = 0x73697a65;
+constexpr std::uint64_t lockSalt = 0x6c6f636b;
 
 Frame product(Frame p, Frame q) {
     return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
@@ -60,30 +61,67 @@ SineWave sineWave(const Wave& wave) {
     return {low, sizeOf(low).second / wave.length};
 }
 
-double varied(double variation, std::uint64_t key) {
-    return 1 + variation * uniformSigned(mixKey(key, sizeSalt));
+// Hair winds in locks: strands that grow from the same small patch of scalp wind together, but for
+// the hair's variation. Patches are those nearest to the points of a jittered grid, so that they do
+// not depend on how many hairs there are.
+constexpr double lockSize = 0.012;  // m
+
+std::uint64_t lockOf(Vec3d root) {
+    const Vec3d scaled = root / lockSize;
+    double nearest = 1e30;
+    std::uint64_t lock = 0;
+    for (int i = 0; i < 27; ++i) {
+        const Vec3d cell = {std::floor(scaled.x) + i % 3 - 1, std::floor(scaled.y) + i / 3 % 3 - 1,
+                            std::floor(scaled.z) + i / 9 - 1};
+        std::uint64_t key = lockSalt;
+        for (const double number : {cell.x, cell.y, cell.z})
+            key = mixKey(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(number)));
+        const Vec3d point =
+            cell + Vec3d{uniform(mixKey(key, 1)), uniform(mixKey(key, 2)), uniform(mixKey(key, 3))};
+        const double distance = length(point - scaled);
+        if (distance < nearest) {
+            nearest = distance;
+            lock = key;
+        }
+    }
+    return lock;
 }
+
+// Random about a strand's natural shape: mostly its lock's, and a little its own.
+struct Character {
+    double variation = 0;
+    std::uint64_t key = 0, lock = 0;
+
+    double size() const {
+        return 1 + variation * (0.7 * uniformSigned(mixKey(lock, sizeSalt)) +
+                                0.3 * uniformSigned(mixKey(key, sizeSalt)));
+    }
+    double turn(std::uint64_t salt) const {
+        return 2 * pi * uniform(mixKey(lock, salt)) +
+               pi * variation * uniformSigned(mixKey(key, salt));
+    }
+};
 
 // A strand's way of winding: the frame it starts with relative to one along the growth direction,
 // and the curvature between two places on it.
 class NaturalShape {
 public:
-    NaturalShape(const Hair& hair, std::uint64_t key) {
-        start_ = turn({0, 0, 1}, 2 * pi * uniform(mixKey(key, rollSalt)));
+    NaturalShape(const Hair& hair, std::uint64_t key, Vec3d root) {
         if (hair.curl) {
-            const double size = varied(hair.curl->variation, key);
-            const double radius = size * hair.curl->radius;
-            const double rise = size * hair.curl->pitch / (2 * pi);
+            const Character own = {hair.curl->variation, key, lockOf(root)};
+            const double radius = own.size() * hair.curl->radius;
+            const double rise = own.size() * hair.curl->pitch / (2 * pi);
             const double square = radius * radius + rise * rise;
             helix_ = {static_cast<float>(radius / square), 0, static_cast<float>(rise / square)};
             // The helix winds about its Darboux vector; that is laid along the growth direction.
-            start_ = product(start_, turn({0, 1, 0}, -std::atan2(radius, rise)));
+            start_ = product(turn({0, 0, 1}, own.turn(rollSalt)),
+                             turn({0, 1, 0}, -std::atan2(radius, rise)));
         } else if (hair.wave) {
-            const double size = varied(hair.wave->variation, key);
+            const Character own = {hair.wave->variation, key, lockOf(root)};
             wave_ = sineWave(*hair.wave);
-            wave_.tilt *= size;
-            phase_ = 2 * pi * uniform(mixKey(key, phaseSalt));
-            start_ = product(start_, turn({1, 0, 0}, tiltAt(0)));
+            wave_.tilt *= own.size();
+            phase_ = own.turn(phaseSalt);
+            start_ = product(turn({0, 0, 1}, own.turn(rollSalt)), turn({1, 0, 0}, tiltAt(0)));
         }
     }
 
@@ -132,7 +170,7 @@ Rods grow(const Part& part, const Follicles& follicles, const Sizes& sizes,
     for (const std::uint32_t i : which) {
         const Vec3d root = follicles.roots[i];
         const std::uint64_t key = follicles.keys[i];
-        const NaturalShape shape(hair, key);
+        const NaturalShape shape(hair, key, root);
         const Frame along = frameAlong(growthDirection(part, root));
         rods.roots.push_back(root.as<float>());
         rods.clamps.push_back(shaped ? product(along, shape.start()) : along);

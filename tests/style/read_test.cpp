@@ -487,5 +487,26 @@ TEST(Style, EveryKnownKeyIsRead) {
     }
 }
 
+TEST(ReadStyle, ReadsNaturalShapesInMetres) {
+    const auto style = parseStyle(
+        "kushi = 1\n[solver]\nmethod = \"equilibrium\"\ngrading = 1.5\n[scalp]\n"
+        "ellipsoid = { semi_axes = [10, 12, 8] }\ncount = 5\n[hair]\nlength = 20\n"
+        "shear_modulus = 1.2\ntaper = 0.4\ncurl = { radius = 0.4, pitch = 1.5, variation = 0 }\n",
+        "a.toml");
+    ASSERT_TRUE(style) << toString(style.problems()[0]);
+    EXPECT_EQ(style->solver.method, Method::Equilibrium);
+    EXPECT_EQ(style->solver.grading, 1.5);
+    const Hair& hair = style->parts[0].hair;
+    EXPECT_EQ(hair.shearModulus, 1.2e9);
+    EXPECT_EQ(hair.taper, 0.4);
+    ASSERT_TRUE(hair.curl);
+    EXPECT_EQ(hair.curl->radius, 0.004);
+    EXPECT_EQ(hair.curl->pitch, 0.015);
+    EXPECT_EQ(hair.curl->variation, 0);
+    EXPECT_FALSE(hair.wave);
+    // GJ = 2 G I for a round section.
+    EXPECT_NEAR(hair.torsionalRigidity() / hair.rigidity(), 2 * 1.2 / 3.9, 1e-12);
+}
+
 }  // namespace
 }  // namespace kushi

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+#include "core/parallel.h"
+#include "messages.h"
+#include "pipeline/grow.h"
+#include "rod/strand_batch.h"
+
+#include <kushi/cantilever.h>
+#include <kushi/head.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+namespace kushi {
+
+namespace {
+
+constexpr double gamma = 130;  // w L^3 / EI: 24 cm of medium hair
+constexpr int strandCount = 50000;
+constexpr int referenceStrands = 500;
+
+struct Timing {
+    std::string name;
+    std::size_t strands = 0, segments = 0;
+    int threads = 0;
+    double medianMs = 0;
+    int runs = 0;
+    std::string note = {};
+};
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+// Medians over some runs; `prepare` before each is not timed.
+double time(int runs, const std::function<void()>& prepare, const std::function<void()>& work) {
+    std::vector<double> times;
+    for (int i = 0; i < runs; ++i) {
+        prepare();
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        const std::chrono::duration<double, std::milli> passed =
+            std::chrono::steady_clock::now() - start;
+        times.push_back(passed.count());
+    }
+    return median(times);
+}
+
+// Medium hair all over the mannequin's scalp.
+Part headOfHair(bool curly) {
+    Part part;
+    part.scalp.ellipsoid = headEllipsoid();
+    part.scalp.count = strandCount;
+    part.scalp.regions.clear();
+    for (const AngleRange& range : hairRegion()) {
+        part.scalp.regions.push_back(
+            {{range.thetaLow, range.thetaHigh}, {range.phiLow, range.phiHigh}});
+    }
+    part.hair.length = std::cbrt(gamma * part.hair.rigidity() / part.hair.weightPerLength());
+    if (curly) part.hair.curl = Curl{.radius = 0.006, .pitch = 0.03};
+    return part;
+}
+
+class Bench {
+public:
+    Bench(int runs, int threads)
+        : runs_(runs),
+          threads_(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency())) {}
+
+    std::vector<Timing> run() {
+        const Part straight = headOfHair(false);
+        const Result<Follicles> follicles = plant(straight.scalp, 1992);
+        if (!follicles) return {};
+        walk(straight, *follicles);
+        const Rods rods = grown(straight, *follicles, 25);
+        rest("equilibrium", rods, nullptr);
+        rest("contact", rods, &straight.scalp.ellipsoid);
+        rest("curly", grown(headOfHair(true), *follicles, 25), nullptr);
+        reference(rods);
+        copy(rods);
+        return timings_;
+    }
+
+private:
+    static Rods grown(const Part& part, const Follicles& follicles, int segments) {
+        std::vector<std::uint32_t> which(follicles.size());
+        std::iota(which.begin(), which.end(), 0U);
+        return grow(part, follicles, uncut(part.hair, follicles, segments), which, 1);
+    }
+
+    void add(const std::string& name, const Rods& rods, double ms) {
+        timings_.push_back({name, rods.size(), rods.segments(0), threads_, ms, runs_});
+    }
+
+    // The paper's walk with avoidance of the ellipsoid.
+    void walk(const Part& part, const Follicles& follicles) {
+        constexpr std::size_t segments = 20;
+        CantileverWorld world;
+        world.obstacle = &part.scalp.ellipsoid;
+        std::vector<Vec3d> nodes(follicles.size() * (segments + 1));
+        const auto bendAll = [&] {
+            parallelFor(follicles.size(), 256, threads_, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const CantileverRod rod = {
+                        follicles.roots[i], part.scalp.ellipsoid.normal(follicles.roots[i]),
+                        part.hair.length, part.hair.rigidity(), part.hair.weightPerLength()};
+                    bendCantilever(rod, world,
+                                   std::span(nodes).subspan(i * (segments + 1), segments + 1));
+                }
+            });
+        };
+        timings_.push_back({"cantilever", follicles.size(), segments, threads_,
+                            time(
+                                runs_, [] {}, bendAll),
+                            runs_});
+    }
+
+    // True rest under loads that are in no common plane: from the unloaded shape, and anew after 5
+    // % more gravity.
+    void rest(const std::string& name, const Rods& rods, const Ellipsoid* obstacle) {
+        RodWorld world;
+        world.obstacle = obstacle;
+        RestState state;
+        RestOptions options;
+        options.threads = threads_;
+        std::vector<Vec3f> nodes(rods.nodeCount());
+        const auto settle = [&](double gravity, bool warm) {
+            world.gravity = gravity * Vec3d{0.2, -1, 0.1};
+            options.warm = warm;
+            const RestReport report = settleRods(rods, world, state, nodes, options);
+            unsettled_ = report.unsettled.size();
+        };
+        add(name + "-cold", rods,
+            time(
+                runs_, [] {}, [&] { settle(1, false); }));
+        noteUnsettled();
+        add(name + "-warm", rods,
+            time(
+                runs_, [&] { settle(1, false); }, [&] { settle(1.05, true); }));
+        noteUnsettled();
+    }
+
+    void noteUnsettled() {
+        if (unsettled_ > 0) timings_.back().note = std::to_string(unsettled_) + " unsettled";
+    }
+
+    // One thread, plain double precision, fewer strands; the time is scaled up to all of them.
+    void reference(const Rods& rods) {
+        const RodWorld world = {.gravity = {0.2, -1, 0.1}};
+        std::vector<Vec3f> nodes(rods.nodeCount());
+        std::vector<float> residuals(rods.size());
+        std::vector<std::uint8_t> settled(rods.size());
+        std::vector<std::uint32_t> strands(referenceStrands);
+        std::vector<float> turns(referenceStrands * rods.segments(0) * turnsPerNode(rods));
+        for (std::size_t k = 0; k < strands.size(); ++k)
+            strands[k] = static_cast<std::uint32_t>(k * rods.size() / strands.size());
+        StrandBatch batch;
+        batch.rods = &rods;
+        batch.world = &world;
+        batch.strands = strands;
+        batch.turns = turns;
+        batch.nodes = nodes;
+        batch.residuals = residuals;
+        batch.states = settled;
+        const double ms = time(
+            runs_, [] {}, [&] { settleReference(batch); });
+        timings_.push_back({"reference", rods.size(), rods.segments(0), 1,
+                            ms * static_cast<double>(rods.size()) / referenceStrands, runs_,
+                            "scaled from " + std::to_string(referenceStrands) + " strands"});
+    }
+
+    // Writing the result once: the limit.
+    void copy(const Rods& rods) {
+        const std::vector<Vec3f> from(rods.nodeCount(), Vec3f{1, 2, 3});
+        std::vector<Vec3f> to(rods.nodeCount());
+        const auto copyAll = [&] {
+            parallelFor(from.size(), 1U << 16U, threads_, [&](std::size_t begin, std::size_t end) {
+                std::memcpy(&to[begin], &from[begin], (end - begin) * sizeof(Vec3f));
+            });
+        };
+        add("copy", rods,
+            time(
+                runs_, [] {}, copyAll));
+    }
+
+    int runs_;
+    int threads_;
+    std::size_t unsettled_ = 0;
+    std::vector<Timing> timings_;
+};
+
+void printJson(const std::vector<Timing>& timings) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const Timing& t : timings) {
+        json.push_back({{"name", t.name},
+                        {"strands", t.strands},
+                        {"segments", t.segments},
+                        {"threads", t.threads},
+                        {"median_ms", t.medianMs},
+                        {"runs", t.runs}});
+        if (!t.note.empty()) json.back()["note"] = t.note;
+    }
+    std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printTable(const std::vector<Timing>& timings) {
+    std::printf("%-18s %9s %9s %8s %10s %5s\n", "", "strands", "segments", "threads", "median ms",
+                "runs");
+    for (const Timing& t : timings) {
+        std::printf("%-18s %9zu %9zu %8d %10.1f %5d  %s\n", t.name.c_str(), t.strands, t.segments,
+                    t.threads, t.medianMs, t.runs, t.note.c_str());
+    }
+}
+
+}  // namespace
+
+int runBench(const BenchArguments& arguments) {
+    const std::vector<Timing> timings = Bench(arguments.runs, arguments.threads).run();
+    if (arguments.json) {
+        printJson(timings);
+    } else {
+        printTable(timings);
+    }
+    return Done;
+}
+
+}  // namespace kushi

@@ -16,6 +16,8 @@ namespace {
 // Where portraits end below [cm from the shoulders up].
 constexpr double collar = 0.035;
 
+constexpr Rgb skin = {0.62F, 0.56F, 0.52F};
+
 Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool measurePenetration,
                         StageClock& clock) {
     const Result<Style> style = readStyle(path);
@@ -31,6 +33,7 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     Result<Mesh> head = headOf(*style);
     if (!head) return head.problems();
     scene.head = std::move(*head);
+    scene.skin = scalpTint(scene.head, groom->strands, *scene.body, skin, flags.threads);
     clock.end("head");
     return scene;
 }
@@ -71,7 +74,7 @@ Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, 
     look.body = scene.body;
     std::vector<Rgb> colors(scene.strands.nodes.size());
     shade(scene.strands, lights, look, camera.eye, colors, options.threads);
-    scene.head.colors = shadeMatt(scene.head, lights, {0.62F, 0.56F, 0.52F});
+    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
     clock.end("shade");
     Image image = draw(scene.strands, colors, scene.head, camera, options);
     clock.end("draw");

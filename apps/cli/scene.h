@@ -17,6 +17,7 @@ namespace kushi {
 struct Scene {
     Strands strands;                ///< with their inner pieces, if a style's
     Mesh head;                      ///< may be empty
+    std::vector<Rgb> skin;          ///< albedo of each of the head's vertices
     std::optional<Ellipsoid> body;  ///< what the hair grows on, if it is known
     SettleReport report;
 };

@@ -62,4 +62,20 @@ void shade(const Strands& strands, const Lights& lights, const HairLook& look, V
 /// One linear colour per vertex of a matt mesh: albedo (ambient + sum of light max(0, N.L)).
 std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, Rgb albedo);
 
+/// The same with an albedo for each vertex.
+std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, std::span<const Rgb> albedo);
+
+/// Beyond the paper: the albedo of each vertex of a head whose skin takes the colour of the hair
+/// that grows there, as skin between hairs looks from afar. Where roots stand as densely as is
+/// usual on this head it is 0.6 times the mean colour of the roots within 0.8 cm of the vertex's
+/// place on the scalp; towards the hairline it turns smoothly into bare skin, and with less than 8
+/// roots a square centimetre, as in previews, more of that shows everywhere.
+///
+/// strands  root first, with colours; without any the head is bare
+/// scalp    the surface on which the roots lie; skin more than 3 cm off it stays bare
+/// skin     linear albedo
+/// threads  0: as many as the machine has; the same colours from any number
+std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands, const Ellipsoid& scalp,
+                           Rgb skin, int threads = 0);
+
 }  // namespace kushi

@@ -134,8 +134,8 @@ TEST(ShippedStyles, TheBobHasAFringeAPartingAndEndsThatTurnIn) {
 // Figures 10 and 11: the styles that people wear.
 class WornStyles : public testing::TestWithParam<const char*> {};
 
-// As in the paper no scalp shows but at the parting and the hairline; how much of it, from the side
-// and from behind, at the style's own count and the drawn width.
+// As in the paper no scalp shows but at the parting and the hairline; how much of it, from the
+// side, from behind and from above, at the style's own count and the drawn width.
 TEST_P(WornStyles, CoverTheScalp) {
     const Result<Style> style =
         readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/" + GetParam() + ".toml");
@@ -146,7 +146,7 @@ TEST_P(WornStyles, CoverTheScalp) {
     const Mesh head = mannequin();
     const std::vector<std::uint8_t> scalp = scalpTriangles(head);
     Bounds bounds = boundsOf(strands.nodes);
-    for (const char* view : {"back", "three-quarter"}) {
+    for (const char* view : {"back", "three-quarter", "top"}) {
         const Camera camera = frame(bounds, *parseView(view), 1);
         const double share = countShowing(strands, head, scalp, camera, {}).share();
         RecordProperty(view, std::to_string(share));

@@ -8,9 +8,11 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
-#include "rod/kernel/batch-inl.h"
-
+// clang-format off: the order matters
 #include <hwy/foreach_target.h>
+
+#include "rod/kernel/batch-inl.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi {

@@ -8,7 +8,8 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
-// clang-format off: the order matters
+// The order matters, and a reason behind "off" would keep it from being off.
+// clang-format off
 #include <hwy/foreach_target.h>
 
 #include "rod/kernel/batch-inl.h"
@@ -18,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kushi {
 namespace HWY_NAMESPACE {
 
-enum class Start { Cold, Warm, Further };
+enum class Start { Cold, Given, Warm, Further };
 
 // How far the loads of a strand had grown when it was left.
 struct Left {
@@ -37,6 +38,9 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
         block.unbend();
         nudge(block);
         at.share = least(Lanes(1), Lanes(4) * reciprocal(most(block.gamma(), Lanes(1))));
+    } else if (start == Start::Given) {
+        block.begin();
+        at.share = Lanes(1);
     } else {
         block.load();
         at.share = gather<Lanes>([&](std::size_t lane) {
@@ -69,7 +73,9 @@ void settleAll(const StrandBatch& batch) {
 
     NewtonOptions options;
     options.tolerance = batch.tolerance;
-    Start start = batch.warm ? Start::Warm : Start::Cold;
+    Start start = batch.warm                   ? Start::Warm
+                  : batch.rods->starts.empty() ? Start::Cold
+                                               : Start::Given;
     for (const int steps : {batch.warm ? 3 : 6, 10, 30, 120}) {
         options.maxSteps = steps;
         if (steps == 120) options.curvature = 1;

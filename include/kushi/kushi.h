@@ -18,6 +18,7 @@
 #include <kushi/result.h>
 #include <kushi/rods.h>
 #include <kushi/settle.h>
+#include <kushi/settle_groom.h>
 #include <kushi/shade.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>

@@ -15,23 +15,38 @@
 namespace kushi {
 namespace {
 
-class RealGrooms : public testing::TestWithParam<const char*> {};
+// Files are in their makers' units and axes.
+struct RealGroom {
+    const char* name;
+    float unit;  // cm
+    Vec3d down;
+};
+
+void PrintTo(const RealGroom& groom, std::ostream* out) {
+    *out << groom.name;
+}
+
+class RealGrooms : public testing::TestWithParam<RealGroom> {};
 
 TEST_P(RealGrooms, StayPutAndComeBackFromALittleMoreLoad) {
     const char* folder = std::getenv("KUSHI_TEST_DATA");
     if (folder == nullptr) GTEST_SKIP() << "KUSHI_TEST_DATA names no folder of sample grooms";
-    const std::string path = std::filesystem::path(folder) / GetParam();
+    const auto& [name, unit, down] = GetParam();
+    const std::string path = std::filesystem::path(folder) / name;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
-    const Strands groom = *readGroom(path);
-    Hair hair;
-    const SetGroom set = *restShapeOf(groom, materialsOf(groom, hair), {});
+    Strands groom = *readGroom(path);
+    for (Vec3f& node : groom.nodes)
+        node *= unit;
+    RodWorld world;
+    world.gravity = down;
+    const SetGroom set = *restShapeOf(groom, materialsOf(groom, Hair()), world);
 
     std::vector<float> factors = set.factors;
     std::sort(factors.begin(), factors.end());
     const auto stiffened = std::upper_bound(factors.begin(), factors.end(), 1.0F);
-    std::printf("%s: %zu strands, %zu unstable, %zu stiffened, %zu beyond", GetParam(),
-                groom.size(), set.unstable.size(),
-                static_cast<std::size_t>(factors.end() - stiffened), set.unheld.size());
+    std::printf("%s: %zu strands, %zu unstable, %zu stiffened, %zu beyond", name, groom.size(),
+                set.unstable.size(), static_cast<std::size_t>(factors.end() - stiffened),
+                set.unheld.size());
     if (stiffened != factors.end()) {
         std::printf(", by %.3g in the median, %.3g at 95 %%, %.3g at most",
                     *(stiffened + (factors.end() - stiffened) / 2),
@@ -54,24 +69,26 @@ TEST_P(RealGrooms, StayPutAndComeBackFromALittleMoreLoad) {
         }
         return most;
     };
-    const RestReport first = settleRods(set.rods, {}, state, nodes, options);
+    const RestReport first = settleRods(set.rods, world, state, nodes, options);
     EXPECT_TRUE(first.unsettled.empty());
-    std::printf("%s: settled again, nodes moved by %.2g of the length at most, %zu refined\n",
-                GetParam(), farthest(), first.refined);
+    std::printf("%s: settled again, nodes moved by %.2g of the length at most, %zu refined\n", name,
+                farthest(), first.refined);
     EXPECT_LT(farthest(), 1e-4);
     options.warm = true;
     RodWorld heavier;
-    heavier.gravity = {0, -1.01, 0};
+    heavier.gravity = 1.01 * down;
     EXPECT_TRUE(settleRods(set.rods, heavier, state, nodes, options).unsettled.empty());
-    std::printf("%s: 1 %% more load moves them by %.2g", GetParam(), farthest());
-    EXPECT_TRUE(settleRods(set.rods, {}, state, nodes, options).unsettled.empty());
+    std::printf("%s: 1 %% more load moves them by %.2g", name, farthest());
+    EXPECT_TRUE(settleRods(set.rods, world, state, nodes, options).unsettled.empty());
     std::printf(", and back to within %.2g\n", farthest());
     EXPECT_LT(farthest(), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealGrooms,
-                         testing::Values("Bangs_100.hair", "Bangs_100_ascii.ply",
-                                         "Bangs_100_binary.ply", "straight.hair"));
+                         testing::Values(RealGroom{"Bangs_100.hair", 0.1F, {-1, 0, 0}},
+                                         RealGroom{"Bangs_100_ascii.ply", 0.1F, {-1, 0, 0}},
+                                         RealGroom{"Bangs_100_binary.ply", 0.1F, {-1, 0, 0}},
+                                         RealGroom{"straight.hair", 0.36F, {0, 0, -1}}));
 
 }  // namespace
 }  // namespace kushi

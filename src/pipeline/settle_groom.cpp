@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/random.h"
-
 #include <kushi/rest_shape.h>
 #include <kushi/settle_groom.h>
 
@@ -14,11 +12,9 @@ namespace {
 
 // In which the loads and the hair change from what the groom was set under.
 constexpr int steps = 16;
-// How far a strand starts from where it is set, so that one that hangs straight finds a side to
-// fall to when it is turned upside down [rad].
-constexpr double nudge = 1e-5;
-
-constexpr std::uint64_t nudgeSalt = 0x6e75646765;
+// How far gravity strays on the way, over its size: a strand that hangs straight and is turned
+// upside down finds a side to fall to.
+constexpr double sideways = 0.05;
 
 bool changes(const GroomSettleOptions& options) {
     return !(options.gravity == options.setGravity) || options.weightScale != 1 ||
@@ -40,21 +36,15 @@ Rods changed(const Rods& set, const GroomSettleOptions& options, double share) {
     return rods;
 }
 
-// Leans every strand a little, more and more towards its tip, to a side that its key chooses.
-void lean(Rods& rods) {
-    for (std::size_t i = 0; i < rods.size(); ++i) {
-        const std::uint64_t key = mixKey(rods.keys[i], nudgeSalt);
-        const double x = nudge * uniformSigned(key);
-        const double y = nudge * uniformSigned(mixKey(key, 1));
-        for (std::size_t j = 0; j < rods.segments(i); ++j) {
-            Frame& f = rods.starts[rods.offsets[i] + j];
-            const double grown = static_cast<double>(j + 1) / static_cast<double>(rods.segments(i));
-            const auto a = static_cast<float>(0.5 * grown * x);
-            const auto b = static_cast<float>(0.5 * grown * y);
-            f = {f.w - a * f.x - b * f.y, f.x + a * f.w - b * f.z, f.y + b * f.w + a * f.z,
-                 f.z + b * f.x - a * f.y};
-        }
-    }
+// Gravity `share` of the way, and a little to one side until it is there.
+Vec3d gravityAt(const GroomSettleOptions& options, double share) {
+    const Vec3d from = options.setGravity;
+    const Vec3d to = options.gravity;
+    const Vec3d across =
+        cross(from, std::abs(from.x) < std::abs(from.z) ? Vec3d{1, 0, 0} : Vec3d{0, 0, 1});
+    if (share == 1 || length(across) == 0) return to;
+    const double size = sideways * 4 * share * (1 - share) * std::max(length(from), length(to));
+    return (1 - share) * from + share * to + size * normalized(across);
 }
 
 void describe(const SetGroom& set, GroomSettleReport& report) {
@@ -111,7 +101,6 @@ Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOption
     describe(*set, settled.report);
 
     const int count = changes(options) ? steps : 1;
-    if (count > 1) lean(set->rods);
     RestState state;
     RestOptions resting;
     resting.threads = options.threads;
@@ -119,7 +108,7 @@ Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOption
     std::vector<Vec3f> nodes(set->rods.nodeCount());
     for (int step = 1; step <= count; ++step) {
         const double share = static_cast<double>(step) / count;
-        world.gravity = (1 - share) * options.setGravity + share * options.gravity;
+        world.gravity = gravityAt(options, share);
         rest = settleRods(changed(set->rods, options, share), world, state, nodes, resting);
         resting.warm = true;
         if (options.progress) options.progress(share);

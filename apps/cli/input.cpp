@@ -37,6 +37,9 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     SettleOptions options;
     options.segments = flags.segments;
     options.count = flags.count;
+    if (!flags.method.empty()) {
+        options.method = flags.method == "equilibrium" ? Method::Equilibrium : Method::Cantilever;
+    }
     options.threads = flags.threads;
     options.measurePenetration = measurePenetration;
     options.progress = [&bar](double share) { bar.show(share); };

@@ -33,14 +33,6 @@ constexpr const char* firstSteps =
 
 constexpr const char* styleOrGroom = "A style (.toml) or a groom (.hair, .ply, .obj)";
 
-std::string checkMethod(const std::string& method) {
-    if (method == "cantilever") return {};
-    if (method == "equilibrium") {
-        return "equilibrium is not there yet for whole heads; leave it out or give cantilever";
-    }
-    return "no such method as '" + method + "'; give cantilever";
-}
-
 // CLI11's own Range lets "nan" through.
 auto between(double least, double most) {
     return [least, most](const std::string& text) -> std::string {
@@ -60,8 +52,11 @@ void addSettleFlags(CLI::App& command, SettleFlags& flags) {
         ->check(CLI::Range(1, 5000000));
     command.add_option("--segments", flags.segments, "Segments per strand")
         ->check(CLI::Range(1, 256));
-    command.add_option("--method", flags.method, "How to bend (only cantilever so far)")
-        ->check(checkMethod);
+    command
+        .add_option("--method", flags.method,
+                    "cantilever (the paper's walk) or equilibrium (true rest), instead of the "
+                    "style's")
+        ->check(CLI::IsMember({"cantilever", "equilibrium"}));
     command.add_option("--threads", flags.threads, "Threads (as many as the machine has)")
         ->check(CLI::Range(1, 1024));
 }

@@ -38,9 +38,9 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
     json["wall_ms"]["total"] = clock.total();
     json["max_penetration_cm"] = nullptr;
     if (report.maxPenetration) json["max_penetration_cm"] = 100 * *report.maxPenetration;
-    // The cantilever is one walk: it does not solve for rest, so it has no residual to converge.
     json["max_residual"] = nullptr;
-    json["unsettled"] = 0;
+    if (report.maxResidual) json["max_residual"] = *report.maxResidual;
+    json["unsettled"] = report.unsettled;
     return json;
 }
 

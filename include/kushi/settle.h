@@ -16,6 +16,7 @@ namespace kushi {
 
 /// How to settle; what is left out is as the style says.
 struct SettleOptions {
+    std::optional<Method> method;
     std::optional<int> segments;       ///< per strand, 1 to 256
     std::optional<std::size_t> count;  ///< strands of all parts together, before cuts leave any out
     int threads = 0;                   ///< 0: as many as the machine has
@@ -37,6 +38,10 @@ struct SettleReport {
     /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps
     /// nodes outside, not what lies between them.
     std::optional<double> maxPenetration;
+    /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how
+    /// many strands did not come to rest. The cantilever solves for no rest.
+    std::optional<double> maxResidual;
+    std::size_t unsettled = 0;
 };
 
 /// A head of hair at rest.
@@ -54,7 +59,8 @@ struct SettledGroom {
 ///
 /// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
 /// anew. Parts share it in proportion to what they have. Where hide cuts leave nothing of a strand
-/// (its follicle lies below the height), it is left out.
+/// (its follicle lies below the height), it is left out. A style whose hair needs the equilibrium
+/// method is refused by the cantilever.
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
 
 /// The head that the style asks for, to draw below its hair; no triangles for "none". A file that

@@ -55,6 +55,20 @@ enum class Growth {
     Radial,  ///< along the line from the ellipsoid's centre
 };
 
+/// Hair whose natural shape is a helix about the direction in which it grows.
+struct Curl {
+    double radius = 0;        ///< m, > 0
+    double pitch = 0;         ///< m from turn to turn along the helix's axis, > 0
+    double variation = 0.15;  ///< each strand's curl is larger or smaller by up to this share
+};
+
+/// Hair whose natural shape is a plane wave about the direction in which it grows.
+struct Wave {
+    double amplitude = 0;     ///< m, from the middle line to a crest, > 0
+    double length = 0;        ///< m from crest to crest, > 0
+    double variation = 0.15;  ///< as of Curl
+};
+
 /// What a strand is made of.
 struct Hair {
     double length = 0;                       ///< m
@@ -63,13 +77,19 @@ struct Hair {
     double diameter = 75e-6;                 ///< m
     double density = 1320;                   ///< kg/m3
     std::optional<double> flexuralRigidity;  ///< N m2; replaces the value from modulus and diameter
+    double shearModulus = 0.89e9;            ///< Pa
     double stiffness = 1;                    ///< times the rigidity
+    double taper = 0;          ///< share by which the tip is thinner than the root, in [0, 0.95]
+    std::optional<Curl> curl;  ///< at most one of curl and wave
+    std::optional<Wave> wave;
     Growth growth = Growth::Normal;
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself; dark brown
     double variation = 0.12;  ///< each strand's lightness varies by up to +- this share, in [0, 1]
 
     /// EI of the round section, or what replaces it, times stiffness [N m2].
     double rigidity() const;
+    /// GJ of the round section: the rigidity times 2 G / E [N m2].
+    double torsionalRigidity() const;
     /// Weight per unit length under the earth's gravity [N/m].
     double weightPerLength() const;
 };
@@ -136,6 +156,7 @@ enum class Method { Cantilever, Equilibrium };
 struct Solver {
     Method method = Method::Cantilever;
     int segments = 24;       ///< per strand, 1 to 256
+    double grading = 1;      ///< node j of n lies at (j/n)^grading of the length, in [1, 3]
     int avoidanceSteps = 4;  ///< angles tried, 1 to 16
 };
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/cut.h"
 
+#include "core/random.h"
+
 #include <algorithm>
 
 namespace kushi {
 
 namespace {
+
+constexpr std::uint64_t cutSalt = 0x637574;
 
 // Length of the strand up to where it first passes below a height.
 std::optional<double> lengthAbove(double height, std::span<const Vec3d> nodes) {
@@ -39,6 +43,10 @@ double lengthKeptAt(const std::vector<Cut::Keep>& keep, double y) {
 }
 
 }  // namespace
+
+double cutPlace(std::uint64_t key) {
+    return uniformSigned(mixKey(key, cutSalt));
+}
 
 std::optional<double> lengthLeft(const Cut& cut, std::span<const Vec3d> nodes, double at) {
     const double shift = at * cut.falloff.distance / 2;

@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
+#include "pipeline/rest.h"
 #include "pipeline/strand.h"
 
 #include <kushi/follicles.h>
@@ -100,29 +101,59 @@ Result<std::vector<Follicles>> plantAll(const Style& style, std::optional<std::s
     return all;
 }
 
-Block settleBlock(const Style& style, const Part& part, const Follicles& follicles,
-                  std::size_t begin, std::size_t end, int segments, bool measurePenetration) {
-    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
+// A part's strands as they are settled one by one, or all together before.
+struct Shapes {
+    const Style* style = nullptr;
+    const Part* part = nullptr;
+    const Follicles* follicles = nullptr;
+    int segments = 0;
+    std::optional<RestedPart> rested;
+
+    // Overwrites `nodes`; none where the follicle has no hair.
+    void nodesOf(std::size_t i, std::vector<Vec3f>& nodes) const {
+        if (rested) {
+            const auto all = std::span(rested->nodes);
+            const std::size_t first = rested->offsets[i];
+            const auto own = all.subspan(first, rested->offsets[i + 1] - first);
+            nodes.assign(own.begin(), own.end());
+            return;
+        }
+        nodes.clear();
+        const StrandSite site = {follicles->roots[i], follicles->angles[i], follicles->keys[i]};
+        for (const Vec3d node : settleStrand(*style, *part, site, segments))
+            nodes.push_back(node.as<float>());
+    }
+};
+
+void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector<float>& out) {
+    double walked = 0;
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+        if (j > 0) walked += length(nodes[j] - nodes[j - 1]);
+        const double share = std::min(1.0, walked / hair.length);
+        out.push_back(static_cast<float>(hair.diameter * (1 - hair.taper * share)));
+    }
+}
+
+Block settleBlock(const Shapes& shapes, std::size_t begin, std::size_t end,
+                  bool measurePenetration) {
+    const Ellipsoid& ellipsoid = shapes.part->scalp.ellipsoid;
     Block block;
     std::vector<Vec3f> nodes;
     for (std::size_t i = begin; i < end; ++i) {
-        const StrandSite site = {follicles.roots[i], follicles.angles[i], follicles.keys[i]};
-        nodes.clear();
-        for (const Vec3d node : settleStrand(style, part, site, segments)) {
-            nodes.push_back(node.as<float>());
-        }
+        shapes.nodesOf(i, nodes);
         if (nodes.empty()) continue;
-        block.strands.add(nodes, site.key);
-        appendHairColors(part.hair, site.key, nodes, block.strands.colors);
-        const Vec3d inward = ellipsoid.center - site.root;
+        const std::uint64_t key = shapes.follicles->keys[i];
+        block.strands.add(nodes, key);
+        appendHairColors(shapes.part->hair, key, nodes, block.strands.colors);
+        appendDiameters(shapes.part->hair, nodes, block.strands.diameters);
+        const Vec3d root = shapes.follicles->roots[i];
+        const Vec3d inward = ellipsoid.center - root;
         const double reach = std::min(1.0, innerPiece / length(inward));
-        block.innerEnds.push_back((site.root + reach * inward).as<float>());
+        block.innerEnds.push_back((root + reach * inward).as<float>());
         if (measurePenetration) {
             block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
         }
     }
-    block.strands.diameters.assign(block.strands.nodes.size(),
-                                   static_cast<float>(part.hair.diameter));
     return block;
 }
 
@@ -141,9 +172,22 @@ void append(Strands& to, const Strands& from) {
     append(to.colors, from.colors);
 }
 
+Status checkMethod(const Style& style, Method method) {
+    if (method == Method::Equilibrium) return std::monostate{};
+    for (const Part& part : style.parts) {
+        if (!part.hair.curl && !part.hair.wave && part.hair.taper == 0) continue;
+        return Problem{"the hair of '" + part.name +
+                       "' is curled, waved or tapered, which the cantilever method does not know; "
+                       "settle it by equilibrium"};
+    }
+    return std::monostate{};
+}
+
 }  // namespace
 
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
+    const Method method = options.method.value_or(style.solver.method);
+    if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
     Result<std::vector<Follicles>> planted = plantAll(style, options.count);
     if (!planted) return planted.problems();
@@ -159,16 +203,26 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     double deepest = 0;
     for (std::size_t p = 0; p < style.parts.size(); ++p) {
         const Follicles& follicles = (*planted)[p];
+        Shapes shapes = {&style, &style.parts[p], &follicles, segments, {}};
+        if (method == Method::Equilibrium) {
+            Result<RestedPart> rested =
+                restPart(style, style.parts[p], follicles, segments, options.threads);
+            if (!rested) return rested.problems();
+            groom.report.maxResidual =
+                std::max(groom.report.maxResidual.value_or(0), rested->maxResidual);
+            groom.report.unsettled += rested->unsettled;
+            shapes.rested = std::move(*rested);
+        }
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        parallelFor(
-            follicles.size(), blockSize, options.threads, [&](std::size_t begin, std::size_t end) {
-                blocks[begin / blockSize] = settleBlock(style, style.parts[p], follicles, begin,
-                                                        end, segments, options.measurePenetration);
-                const std::size_t sofar = done += end - begin;
-                if (options.progress) {
-                    options.progress(static_cast<double>(sofar) / static_cast<double>(all));
-                }
-            });
+        parallelFor(follicles.size(), blockSize, options.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                        blocks[begin / blockSize] =
+                            settleBlock(shapes, begin, end, options.measurePenetration);
+                        const std::size_t sofar = done += end - begin;
+                        if (options.progress) {
+                            options.progress(static_cast<double>(sofar) / static_cast<double>(all));
+                        }
+                    });
         for (const Block& block : blocks) {
             append(groom.strands, block.strands);
             append(groom.innerEnds, block.innerEnds);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/strand.h"
 
-#include "core/random.h"
 #include "pipeline/cut.h"
+#include "pipeline/grow.h"
 #include "style/ranges.h"
 
 #include <algorithm>
@@ -11,9 +11,6 @@
 namespace kushi {
 
 namespace {
-
-constexpr std::uint64_t lengthSalt = 0x6c656e677468;
-constexpr std::uint64_t cutSalt = 0x637574;
 
 std::vector<ActiveForce> forcesOn(const Part& part, EllipsoidAngles root) {
     std::vector<ActiveForce> active;
@@ -25,13 +22,10 @@ std::vector<ActiveForce> forcesOn(const Part& part, EllipsoidAngles root) {
 }
 
 CantileverRod unbentRod(const Part& part, const StrandSite& site) {
-    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
     CantileverRod rod;
     rod.root = site.root;
-    rod.direction = part.hair.growth == Growth::Radial ? normalized(site.root - ellipsoid.center)
-                                                       : ellipsoid.normal(site.root);
-    rod.length = part.hair.length *
-                 (1 + part.hair.lengthVariation * uniformSigned(mixKey(site.key, lengthSalt)));
+    rod.direction = growthDirection(part, site.root);
+    rod.length = grownLength(part.hair, site.key);
     rod.rigidity = part.hair.rigidity();
     rod.weight = part.hair.weightPerLength();
     return rod;
@@ -59,7 +53,7 @@ std::vector<Vec3d> settleStrand(const Style& style, const Part& part, const Stra
     CantileverRod rod = unbentRod(part, site);
     const double segmentLength = rod.length / segments;
     std::vector<Vec3d> nodes = bend(rod, world, segments);
-    const double cutAt = uniformSigned(mixKey(site.key, cutSalt));
+    const double cutAt = cutPlace(site.key);
     for (const Cut& cut : part.cuts) {
         const double rootShare = share(cut.roots, site.angles, cut.falloff.angle);
         if (rootShare <= 0) continue;

@@ -18,10 +18,6 @@ constexpr double nearness = 1e-3;
 // Strands that a thread takes at once.
 constexpr std::size_t grain = 64;
 
-// GJ over EI of hair: 2 G / E (Robbins, "Chemical and Physical Behavior of Human Hair": 0.89 and
-// 3.9 GPa).
-constexpr double twistOverBend = 2 * 0.89 / 3.9;
-
 Status checkGroom(const Strands& groom, const StrandMaterials& materials) {
     for (std::size_t i = 0; i < groom.size(); ++i) {
         if (groom.strand(i).empty())
@@ -150,7 +146,7 @@ StrandMaterials materialsOf(const Strands& groom, const Hair& hair) {
         }
         const double bending = hair.rigidity() * area * area;
         materials.bending.push_back(static_cast<float>(bending));
-        materials.twisting.push_back(static_cast<float>(twistOverBend * bending));
+        materials.twisting.push_back(static_cast<float>(hair.torsionalRigidity() * area * area));
         materials.weights.push_back(static_cast<float>(hair.weightPerLength() * area));
     }
     return materials;

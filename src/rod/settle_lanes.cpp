@@ -8,10 +8,9 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
-// The order matters, and a reason behind "off" would keep it from being off.
+// Highway's file compiles this one again for each target: it comes before the kernels.
 // clang-format off
 #include <hwy/foreach_target.h>
-
 #include "rod/kernel/batch-inl.h"
 // clang-format on
 
@@ -63,7 +62,7 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
     }
 }
 
-// A few steps for all; those that need more are put together and go on.
+// A few steps for all; those that need more are put together and go on, with more care each time.
 template <class Element>
 void settleAll(const StrandBatch& batch) {
     Block<Lanes, Element> block(batch);
@@ -76,9 +75,15 @@ void settleAll(const StrandBatch& batch) {
     Start start = batch.warm                   ? Start::Warm
                   : batch.rods->starts.empty() ? Start::Cold
                                                : Start::Given;
-    for (const int steps : {batch.warm ? 3 : 6, 10, 30, 120}) {
-        options.maxSteps = steps;
-        if (steps == 120) options.curvature = 1;
+    struct Pass {
+        int steps;
+        double worse, curvature;
+    };
+    for (const Pass& pass : {Pass{batch.warm ? 3 : 6, 100, 0.02}, Pass{12, 100, 0.02},
+                             Pass{30, 10, 0.02}, Pass{120, 3, 1}}) {
+        options.maxSteps = pass.steps;
+        options.worse = pass.worse;
+        options.curvature = pass.curvature;
         Left left;
         for (std::size_t from = 0; from < some.places.size(); from += Lanes::count)
             settleSome(block, some, from, start, options, left);

@@ -11,6 +11,7 @@ NewtonOptions brisk(double tolerance) {
     NewtonOptions options;
     options.tolerance = tolerance;
     options.curvature = 1;
+    options.worse = 3;
     options.maxSteps = 200;
     return options;
 }
@@ -21,7 +22,7 @@ NewtonOptions patient(double tolerance) {
     options.readiness = 1e-3;
     options.recovery = 1.25;
     options.reach = 0.5;
-    options.maxSteps = 1000;
+    options.maxSteps = 400;
     return options;
 }
 

@@ -9,6 +9,10 @@ double Hair::rigidity() const {
     return stiffness * flexuralRigidity.value_or(youngsModulus * sectionMoment);
 }
 
+double Hair::torsionalRigidity() const {
+    return rigidity() * 2 * shearModulus / youngsModulus;
+}
+
 double Hair::weightPerLength() const {
     const double section = std::numbers::pi / 4 * diameter * diameter;
     return density * earthGravity * section;

@@ -11,14 +11,10 @@ namespace {
 
 // Keys of the format that this version does not read yet, in whatever table, and what to do now.
 // When one arrives it moves to the tables of keys.h.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> later = {{
-    {"curl", "hair is straight when unloaded, leave it out"},
-    {"wave", "hair is straight when unloaded, leave it out"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> later = {{
     {"clump", "leave it out"},
     {"flyaway", "leave it out"},
-    {"taper", "hair is equally thick from root to tip, leave it out"},
     {"set", "leave it out"},
-    {"shear_modulus", "hair does not twist, leave it out"},
     {"groom", "plant the hair with [part.scalp]"},
 }};
 

@@ -14,7 +14,7 @@ namespace kushi {
 /// A kind of table of the style file and the keys it may have.
 struct TableKeys {
     std::string_view label;  ///< as problems name it
-    std::array<std::string_view, 11> slots;
+    std::array<std::string_view, 15> slots;
 
     constexpr std::span<const std::string_view> keys() const {
         std::size_t size = 0;
@@ -34,7 +34,8 @@ inline constexpr TableKeys head = {
 inline constexpr TableKeys landmarks = {
     "landmarks",
     {"crown", "hairline", "brows", "eyes", "ears", "nose", "lips", "nape", "chin", "shoulders"}};
-inline constexpr TableKeys solver = {"[solver]", {"method", "segments", "avoidance_steps"}};
+inline constexpr TableKeys solver = {"[solver]",
+                                     {"method", "segments", "grading", "avoidance_steps"}};
 inline constexpr TableKeys part = {"[[part]]", {"name", "scalp", "hair", "force", "cut"}};
 inline constexpr TableKeys scalp = {"[part.scalp]",
                                     {"ellipsoid", "spacing", "count", "jitter", "regions"}};
@@ -43,7 +44,10 @@ inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
 inline constexpr TableKeys hair = {
     "[part.hair]",
     {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
-     "flexural_rigidity", "stiffness", "growth", "color", "variation"}};
+     "flexural_rigidity", "stiffness", "growth", "color", "variation", "shear_modulus", "taper",
+     "curl", "wave"}};
+inline constexpr TableKeys curl = {"curl", {"radius", "pitch", "variation"}};
+inline constexpr TableKeys wave = {"wave", {"amplitude", "length", "variation"}};
 inline constexpr TableKeys force = {"[[part.force]]",
                                     {"roots", "within", "direction", "magnitude", "falloff"}};
 inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode", "falloff"}};
@@ -52,9 +56,9 @@ inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {&top,   &head,      &landmarks, &solver, &part,
-                                           &scalp, &ellipsoid, &regions,   &hair,   &force,
-                                           &cut,   &roots,     &within,    &falloff};
+inline constexpr const TableKeys* all[] = {&top,       &head,    &landmarks, &solver, &part, &scalp,
+                                           &ellipsoid, &regions, &hair,      &curl,   &wave, &force,
+                                           &cut,       &roots,   &within,    &falloff};
 
 }  // namespace tables
 

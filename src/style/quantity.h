@@ -68,6 +68,10 @@ inline constexpr Quantity density = {
 inline constexpr Quantity flexuralRigidity = {1e-12, 1, "N m2"};
 inline constexpr Quantity stiffness = {0.001, 1000, ""};
 
+inline constexpr Quantity taper = {0, 0.95, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity curlSize = {0.05, 50, "cm", fromCentimetres, {{"mm", 0.1}}};
+inline constexpr Quantity grading = {1, 3, ""};
+
 inline constexpr Quantity color = {0, 1, "", fromSrgb, {{"of 255", 1.0 / 255}}};
 inline constexpr Quantity variation = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 

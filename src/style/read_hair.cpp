@@ -2,6 +2,9 @@
 #include "style/read_number.h"
 #include "style/read_parts.h"
 
+#include <array>
+#include <utility>
+
 namespace kushi {
 
 namespace {
@@ -37,6 +40,34 @@ void readColor(const TableReader& table, Rgb& color) {
     }
 }
 
+// A natural shape: two sizes, both needed, and how much they vary.
+template <class Shape>
+void readShape(const TableReader& table, std::string_view key, const TableKeys& keys,
+               const std::array<std::pair<std::string_view, double Shape::*>, 2>& sizes,
+               std::optional<Shape>& out) {
+    const Node* node = table.table(key, keys);
+    if (node == nullptr) return;
+    const TableReader reader(*node, keys, table.context());
+    Shape shape;
+    for (const auto& [name, size] : sizes) {
+        reader.require(name, "a number of cm");
+        reader.number(name, quantities::curlSize, shape.*size);
+    }
+    reader.number("variation", quantities::lengthVariation, shape.variation);
+    out = shape;
+}
+
+void readNaturalShape(const TableReader& table, Hair& hair) {
+    readShape<Curl>(table, "curl", tables::curl,
+                    {{{"radius", &Curl::radius}, {"pitch", &Curl::pitch}}}, hair.curl);
+    readShape<Wave>(table, "wave", tables::wave,
+                    {{{"amplitude", &Wave::amplitude}, {"length", &Wave::length}}}, hair.wave);
+    if (hair.curl && hair.wave) {
+        table.context().problems.add(table.find("wave")->begin,
+                                     "found 'wave' beside 'curl', expected one of them");
+    }
+}
+
 }  // namespace
 
 Hair readHair(const Node& node, ReadContext& context) {
@@ -52,6 +83,9 @@ Hair readHair(const Node& node, ReadContext& context) {
     table.number("density", quantities::density, hair.density);
     table.number("flexural_rigidity", quantities::flexuralRigidity, hair.flexuralRigidity);
     table.number("stiffness", quantities::stiffness, hair.stiffness);
+    table.number("shear_modulus", quantities::youngsModulus, hair.shearModulus);
+    table.number("taper", quantities::taper, hair.taper);
+    readNaturalShape(table, hair);
     table.choice<Growth>("growth", {{"normal", Growth::Normal}, {"radial", Growth::Radial}},
                          hair.growth);
     readColor(table, hair.color);

@@ -37,8 +37,15 @@ bool readVersion(const Node& root, Diagnostics& problems) {
 Solver readSolver(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::solver, context);
     Solver solver;
-    table.choice<Method>("method", {{"cantilever", Method::Cantilever}}, solver.method,
-                         {"equilibrium"});
+    table.choice<Method>("method",
+                         {{"cantilever", Method::Cantilever}, {"equilibrium", Method::Equilibrium}},
+                         solver.method);
+    table.number("grading", quantities::grading, solver.grading);
+    if (solver.method == Method::Cantilever && solver.grading != 1) {
+        context.problems.add(node.find("grading")->at,
+                             "'grading' is not for the cantilever method; write method = "
+                             "\"equilibrium\" beside it");
+    }
     if (const auto segments = table.whole("segments", 1, 256)) {
         solver.segments = static_cast<int>(*segments);
     }
@@ -46,6 +53,17 @@ Solver readSolver(const Node& node, ReadContext& context) {
         solver.avoidanceSteps = static_cast<int>(*steps);
     }
     return solver;
+}
+
+// What the paper's walk does not know.
+void refuseInWalk(const Node& hair, Diagnostics& problems) {
+    for (const std::string_view key : {"curl", "wave", "taper"}) {
+        const Entry* entry = hair.find(key);
+        if (entry == nullptr) continue;
+        problems.add(entry->at, '\'' + std::string(key) +
+                                    "' is not for the cantilever method; write method = "
+                                    "\"equilibrium\" in [solver]");
+    }
 }
 
 // The tables of a part, which stand in [[part]] or, where there is only one, at the top.
@@ -60,6 +78,7 @@ Part readTables(const TableReader& table) {
     table.require("hair", context.label(tables::hair));
     if (const Node* hair = table.table("hair", tables::hair)) {
         part.hair = readHair(*hair, context);
+        if (context.walks) refuseInWalk(*hair, context.problems);
     }
     for (const Node* force : table.tables("force", tables::force)) {
         part.forces.push_back(readForce(*force, context));
@@ -139,6 +158,7 @@ void readTop(const TableReader& table, const std::string& folder, Style& style) 
     if (const Node* solver = table.table("solver", tables::solver)) {
         style.solver = readSolver(*solver, table.context());
     }
+    table.context().walks = style.solver.method == Method::Cantilever;
     readParts(table, style);
 }
 
@@ -173,7 +193,7 @@ Result<Style> parseStyle(std::string_view text, const std::string& file) {
     if (!document) return document.problems();
 
     Diagnostics problems(*document, file);
-    ReadContext context = {problems, keepsPartAtTop(document->root), {}};
+    ReadContext context = {problems, keepsPartAtTop(document->root), {}, true};
     Style style;
     if (readVersion(document->root, problems)) {
         const std::string folder = std::filesystem::path(file).parent_path();

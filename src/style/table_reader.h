@@ -25,6 +25,7 @@ struct ReadContext {
     Diagnostics& problems;
     bool partAtTop = false;  ///< [hair] stands for [part.hair]
     Heights heights;         ///< of the head's landmarks
+    bool walks = true;       ///< the method is the cantilever's
 
     std::string label(const TableKeys& table) const;
 };

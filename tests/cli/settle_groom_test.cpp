@@ -83,7 +83,8 @@ TEST(SettleGroomCommand, GravityWeightStiffnessAndSetChangeIt) {
     EXPECT_GT(tip("--gravity 0,1,0"), before + 0.05F);
     EXPECT_GT(tip("--gravity=0,-0.5,0"), before + 0.002F);
     EXPECT_GT(std::abs(tip("--set 0") - before), 0.002F);
-    EXPECT_NEAR(tip("--set 1 --weight-scale 1 --gravity 0,-1,0 --up y"), before, 1e-6F);
+    EXPECT_NEAR(tip("--set 1 --weight-scale 1 --gravity 0,-1,0 --method equilibrium"), before,
+                1e-6F);
 }
 
 TEST(SettleGroomCommand, UnitAndUpSayHowTheFileIsMeant) {

@@ -52,7 +52,6 @@ TEST(Usage, MistakesAreOneLineAndStatusTwo) {
                                   "settle a.toml -o b.hair --segments 257",
                                   "settle a.toml -o b.hair --count 0",
                                   "settle a.toml -o b.hair --count many",
-                                  "settle a.toml -o b.hair --method equilibrium",
                                   "settle a.toml -o b.hair --method magic",
                                   "convert a.hair",
                                   "convert a.hair b.abc",

@@ -336,12 +336,26 @@ const Malformed heads[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Heads, MalformedStyle, testing::ValuesIn(heads));
 
+const std::string rest = "[solver]\nmethod = \"equilibrium\"\n";
+
+const Malformed natural[] = {
+    {withTables("[solver]\nmethod = @\"rest\""),
+     {R"(method: found the string "rest", expected "cantilever" or "equilibrium")"}},
+    {inHair("@curl = { radius = 0.4, pitch = 1.5 }"),
+     {"'curl' is not for the cantilever method; write method = \"equilibrium\" in [solver]"}},
+    {inHair("@taper = 0.5"), {"'taper' is not for the cantilever method"}},
+    {withTables("[solver]\n@grading = 1.5"), {"'grading' is not for the cantilever method"}},
+    {inHair("curl = @{ radius = 0.4 }\n" + rest), {"expected a number of cm"}},
+    {inHair("curl = { radius = @0, pitch = @60 }\n" + rest),
+     {"radius: found 0", "pitch: found 60"}},
+    {inHair("curl = @0.4\n" + rest), {"curl: found 0.4, expected a table"}},
+    {inHair("curl = { radius = 0.4, pitch = 1.5 }\nwave = @{ amplitude = 1, length = 5 }\n" + rest),
+     {"found 'wave' beside 'curl', expected one of them"}},
+};
+INSTANTIATE_TEST_SUITE_P(NaturalShapes, MalformedStyle, testing::ValuesIn(natural));
+
 const Malformed later[] = {
-    {withTables("[solver]\nmethod = @\"equilibrium\""),
-     {R"(method: "equilibrium" is not there yet in this version, expected "cantilever")"}},
-    {inHair("@curl = { radius = 0.4, pitch = 1.5 }"), {"'curl' is not there yet"}},
-    {inHair("@shear_modulus = 1.3"), {"'shear_modulus' is not there yet"}},
-    {inHair("@clump = 1\n@taper = 0.5"), {"'clump' is not there", "'taper' is not there"}},
+    {inHair("@clump = 1\n@flyaway = 0.5"), {"'clump' is not there", "'flyaway' is not there"}},
     {"kushi = 1\n[[part]]\n@groom = \"scan.hair\"\n[part.hair]\nlength = 25\n",
      {"'groom' is not there yet in this version; plant the hair with [part.scalp]"}},
 };

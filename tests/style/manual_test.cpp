@@ -98,6 +98,15 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::hair, "density", quantities::density},
         {tables::hair, "flexural_rigidity", quantities::flexuralRigidity},
         {tables::hair, "stiffness", quantities::stiffness},
+        {tables::solver, "grading", quantities::grading},
+        {tables::hair, "shear_modulus", quantities::youngsModulus},
+        {tables::hair, "taper", quantities::taper},
+        {tables::curl, "radius", quantities::curlSize},
+        {tables::curl, "pitch", quantities::curlSize},
+        {tables::curl, "variation", quantities::lengthVariation},
+        {tables::wave, "amplitude", quantities::curlSize},
+        {tables::wave, "length", quantities::curlSize},
+        {tables::wave, "variation", quantities::lengthVariation},
         {tables::hair, "color", quantities::color},
         {tables::hair, "variation", quantities::variation},
         {tables::force, "magnitude", quantities::magnitude},
@@ -140,7 +149,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 3);
+    EXPECT_EQ(examples, 4);
 }
 
 }  // namespace

@@ -242,14 +242,15 @@ public:
         }
     }
 
-    // Strands in which a node lies inside the collider, with supports that yield less from now on.
-    HWY_INLINE MaskOf<V> stiffened() {
+    // Strands in which a node lies inside the collider; their supports begin farther out from now
+    // on. (Stiffer ones would keep nodes out as well, but many a curl would never come to rest.)
+    HWY_INLINE MaskOf<V> pushedOut() {
         V deepest(1);
         for (std::size_t j = 1; j <= segments_; ++j)
             deepest = least(deepest, ellipsoid_.distance(nodes_[j].position));
         const MaskOf<V> inside = deepest < number<V>(-contactDepth);
-        V& stiffness = problem_.support.stiffness;
-        stiffness = select(inside, V(8) * stiffness, stiffness);
+        V& skin = problem_.support.skin;
+        skin = select(inside, skin - V(1.2F) * deepest + number<V>(contactDepth), skin);
         return inside;
     }
 
@@ -361,12 +362,14 @@ HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& optio
                             Progress<V>& at) {
     Newton<V, Element> newton(block.problem(), block.nodes(), block.contacts());
     V steps(0);
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 8; ++round) {
         newton.run(options, at);
         newton.place();
         steps += at.steps;
         if (block.problem().support.collider == nullptr) break;
-        if (!any(at.settled & block.stiffened())) break;
+        const MaskOf<V> inside = at.settled & block.pushedOut();
+        if (!any(inside)) break;
+        at.settled = at.settled & !inside;
     }
     at.steps = steps;
 }

@@ -77,6 +77,7 @@ struct NewtonOptions {
     double reach = 0.8;       // most that a node turns in one step [rad]
     double growth = 4;        // of the loads between steps
     double readiness = 0.1;   // residual below which the loads may grow
+    double worse = 100;       // a step that makes the residual so many times larger is taken back
     double recovery = 1.5;    // how fast shortened steps grow again
     // Share of a support's greatest push up to which the curvature of the surface counts. Little is
     // quicker while many nodes find their places; all of it is needed where they nearly slide.
@@ -104,6 +105,7 @@ public:
         at.steps = V(0);
         V last(1e30F);     // residual before the last step
         V allowed(1e30F);  // residual above which the step is taken back
+        MaskOf<V> moved = at.settled;
         V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
         for (int step = 0;; ++step) {
             load(at.share);
@@ -117,9 +119,10 @@ public:
             const MaskOf<V> go = (!at.settled) & at.stable & good;
             const MaskOf<V> back = (!at.settled) & !good;
             at.residual = select(good, at.residual, before);
-            const MaskOf<V> slow = (at.residual > V(0.9F) * last) & (at.share >= V(1));
-            relaxed = select(slow, most(V(0.1F), V(0.5F) * relaxed),
-                             least(V(1), number<V>(options.recovery) * relaxed));
+            const MaskOf<V> slow = at.residual > (V(1) - V(0.1F) * relaxed) * last;
+            const V longer = least(V(1), number<V>(options.recovery) * relaxed);
+            relaxed =
+                select(moved, select(slow, most(V(0.1F), V(0.5F) * relaxed), longer), relaxed);
             advance(go, back, stepShare(go, relaxed, number<V>(options.reach)));
             at.steps = select(at.settled, at.steps, at.steps + V(1));
 
@@ -130,9 +133,11 @@ public:
             const V grown =
                 select(ready, least(V(1), number<V>(options.growth) * at.share), at.share);
             const V jump = grown - at.share;
-            allowed = select(go, V(100) * (at.residual + jump) + V(1e-3F), allowed);
+            allowed =
+                select(go, number<V>(options.worse) * (at.residual + jump) + V(1e-3F), allowed);
             last = select(go, select(jump > V(0), V(1e30F), at.residual), last);
             at.share = grown;
+            moved = go;
         }
     }
 

@@ -82,7 +82,7 @@ Frame asFrame(const Rotation& r) {
 
 // The strand as a rod of segments that are as long and lie as in the groom; its frames.
 std::vector<Rotation> shape(Rods& rods, std::uint32_t strand, std::span<const Vec3d> nodes) {
-    const std::vector<Rotation> frames = framesAlong(nodeTangents(nodes));
+    std::vector<Rotation> frames = framesAlong(nodeTangents(nodes));
     rods.clamps[strand] = asFrame(frames[0]);
     double total = 0;
     for (std::size_t j = 1; j < nodes.size(); ++j) {
@@ -196,12 +196,12 @@ Rods withStrength(const Rods& set, double strength) {
     const auto share = static_cast<float>(strength);
     for (Vec3f& curvature : rods.naturalCurvature)
         curvature *= share;
-    for (std::size_t j = 0; j < rods.chords.size(); ++j) {
-        const Vec3d own = rods.chords[j].as<double>();
+    for (Vec3f& chord : rods.chords) {
+        const Vec3d own = chord.as<double>();
         const double d = length(own);
         const Vec3d mixed = strength * own + (1 - strength) * d * Vec3d{0, 0, 1};
         // One that runs back along the frame has no way round.
-        if (length(mixed) > 1e-6 * d) rods.chords[j] = (d * normalized(mixed)).as<float>();
+        if (length(mixed) > 1e-6 * d) chord = (d * normalized(mixed)).as<float>();
     }
     return rods;
 }

@@ -79,6 +79,7 @@ std::vector<Vec3d> smooth(std::uint64_t key, double size, int segments) {
 
 Strands smoothGroom(int strands, double gamma) {
     std::vector<std::vector<Vec3d>> all;
+    all.reserve(static_cast<std::size_t>(strands));
     for (int i = 0; i < strands; ++i)
         all.push_back(
             smooth(mixKey(7, static_cast<std::uint64_t>(i)), lengthOf(gamma), 12 + i % 9));

@@ -20,9 +20,18 @@ struct SettleFlags {
     std::string method;  ///< as given; empty: the style's
 };
 
+/// What `settle` may change of a groom made elsewhere.
+struct GroomFlags {
+    std::string gravity;  ///< as given, "X,Y,Z"
+    std::string up;       ///< the axis, as given
+    std::optional<double> weightScale, stiffnessScale, set;
+    std::optional<double> unit;  ///< cm
+};
+
 struct SettleArguments {
     std::string input, output, reportPath;
     SettleFlags flags;
+    GroomFlags groom;
 };
 
 struct RenderArguments {

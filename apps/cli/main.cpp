@@ -61,6 +61,23 @@ void addSettleFlags(CLI::App& command, SettleFlags& flags) {
         ->check(CLI::Range(1, 1024));
 }
 
+void addGroomFlags(CLI::App& command, GroomFlags& flags) {
+    const auto scale = [&](const char* name, std::optional<double>& value, const char* what,
+                           double least, double most) {
+        command.add_option(name, value, what)->check(between(least, most));
+    };
+    command.add_option("--gravity", flags.gravity,
+                       "Grooms: X,Y,Z, times the earth's, in the file's axes (down)");
+    scale("--weight-scale", flags.weightScale, "Grooms: times the weight it was set with", 0.001,
+          1000);
+    scale("--stiffness-scale", flags.stiffnessScale, "Grooms: times the stiffness it was set with",
+          0.001, 1000);
+    scale("--set", flags.set, "Grooms: share of the natural shape that stays, 0 (straight) to 1", 0,
+          1);
+    command.add_option("--up", flags.up, "Grooms: the file's upward axis: x, y, z, -x, ... (y)");
+    scale("--unit", flags.unit, "Grooms: the file's unit in centimetres (1)", 1e-4, 1e4);
+}
+
 // Every command's arguments, filled while parsing.
 struct Arguments {
     std::string style, from, to, described;
@@ -83,17 +100,22 @@ void addCheck(CLI::App& program, Arguments& arguments, int& status) {
 
 void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
     CLI::App* command =
-        program.add_subcommand("settle", "Bring a style's hair to rest and write its strands");
-    command->add_option("STYLE", arguments.input, "The style file (.toml)")->required();
+        program.add_subcommand("settle", "Bring hair to rest and write its strands");
+    command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
     command
         ->add_option("-o,--output", arguments.output, "Where to: .hair, .ply or .obj (centimetres)")
         ->required();
     addSettleFlags(*command, arguments.flags);
+    addGroomFlags(*command, arguments.groom);
     command->add_option("--report", arguments.reportPath,
                         "Write counts, times and penetration as JSON");
     command->footer(
-        "Example: kushi settle styles/fig10-bob.toml -o preview.ply --count 500\n"
-        "settles an evenly spread 500 of the bob's hairs.");
+        "A groom made elsewhere is set: it rests as it is, of medium hair or as thick as it says;\n"
+        "then what the flags for grooms say is changed.\n"
+        "Examples:\n"
+        "  kushi settle styles/fig10-bob.toml -o preview.ply --count 500\n"
+        "  kushi settle scan.hair -o headstand.hair --gravity 0,1,0\n"
+        "  kushi settle scan.hair -o wet.hair --weight-scale 1.5 --set 0.5");
     command->callback([&] { status = runSettle(arguments); });
 }
 

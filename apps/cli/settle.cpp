@@ -3,6 +3,7 @@
 #include "input.h"
 #include "messages.h"
 #include "report.h"
+#include "settle_groom.h"
 
 #include <kushi/groom_io.h>
 
@@ -13,12 +14,6 @@ namespace kushi {
 int runSettle(const SettleArguments& arguments) {
     const Result<bool> isStyle = isStylePath(arguments.input);
     if (!isStyle) return report(isStyle.problems());
-    if (!*isStyle) {
-        return report(
-            {{"settling a groom made elsewhere needs the equilibrium method, which this version "
-              "does not have yet; give a style (.toml)",
-              arguments.input}});
-    }
     if (const Status ending = hasEnding(arguments.output, {".hair", ".ply", ".obj"}, "the output");
         !ending) {
         return report(ending.problems());
@@ -26,6 +21,9 @@ int runSettle(const SettleArguments& arguments) {
     if (const Status outputs = checkOutputs(arguments.output, arguments.reportPath); !outputs) {
         return report(outputs.problems());
     }
+
+    if (!*isStyle) return settleGroomFile(arguments);
+    if (const Status fitting = noGroomFlags(arguments); !fitting) return report(fitting.problems());
 
     StageClock clock;
     const Result<Style> style = readStyle(arguments.input);

@@ -14,9 +14,11 @@
 #include <kushi/mesh.h>
 #include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>
+#include <kushi/rest_shape.h>
 #include <kushi/result.h>
 #include <kushi/rods.h>
 #include <kushi/settle.h>
+#include <kushi/settle_groom.h>
 #include <kushi/shade.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>

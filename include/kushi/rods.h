@@ -21,7 +21,8 @@ struct Frame {
 Frame frameAlong(Vec3d direction);
 
 /// Strands as inextensible Kirchhoff rods, clamped at their roots. What is per strand has size()
-/// entries; what is per segment is empty or has offsets.back().
+/// entries; what is per segment is empty or has offsets.back(). A strand may have no segments: it
+/// is its root, and its lengths, bending, ... do not count.
 struct Rods {
     std::vector<Vec3f> roots;                  ///< m
     std::vector<Frame> clamps;                 ///< of the root
@@ -36,6 +37,10 @@ struct Rods {
     std::vector<Vec3f> naturalCurvature;  ///< about d1, d2 and d3 (twist) [1/m]; empty: straight
     std::vector<float> thickness;         ///< radius over that at the root: EI and GJ go with its
                                           ///< fourth power, weight with its second; empty: 1
+    std::vector<Vec3f> chords;  ///< from node to node in the frame midway, with natural curvature
+                                ///< only [m]; empty: those of helices
+    std::vector<Frame> starts;  ///< of each segment's far node: where a cold solve begins, with all
+                                ///< of the loads; empty: at the natural shape, with few of them
 
     std::size_t size() const { return roots.size(); }
     std::size_t segments(std::size_t strand) const { return offsets[strand + 1] - offsets[strand]; }
@@ -76,7 +81,8 @@ struct RestReport {
 ///
 /// Each segment bends and twists between the frames of its two nodes and has a chord of fixed
 /// length, so length is kept exactly; its weight acts at its middle. Where there are several
-/// rests, a strand takes the one reached from its natural shape as the loads grow from zero; one
+/// rests, a strand takes the one reached from its natural shape as the loads grow from zero, or the
+/// one near `starts`; one
 /// that stands upright falls to a side that its key chooses. The ellipsoid pushes from a tenth of a
 /// millimetre or two above its surface, so that no node reaches it. docs/physics.md has it all.
 ///

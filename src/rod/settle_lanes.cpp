@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kushi {
 namespace HWY_NAMESPACE {
 
-enum class Start { Cold, Warm, Further };
+enum class Start { Cold, Given, Warm, Further };
 
 // How far the loads of a strand had grown when it was left.
 struct Left {
@@ -37,6 +37,9 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
         block.unbend();
         nudge(block);
         at.share = least(Lanes(1), Lanes(4) * reciprocal(most(block.gamma(), Lanes(1))));
+    } else if (start == Start::Given) {
+        block.begin();
+        at.share = Lanes(1);
     } else {
         block.load();
         at.share = gather<Lanes>([&](std::size_t lane) {
@@ -69,7 +72,9 @@ void settleAll(const StrandBatch& batch) {
 
     NewtonOptions options;
     options.tolerance = batch.tolerance;
-    Start start = batch.warm ? Start::Warm : Start::Cold;
+    Start start = batch.warm                   ? Start::Warm
+                  : batch.rods->starts.empty() ? Start::Cold
+                                               : Start::Given;
     struct Pass {
         int steps;
         double worse, curvature;

@@ -26,13 +26,25 @@ NewtonOptions patient(double tolerance) {
     return options;
 }
 
+// From where the rods say to begin, with all of the loads; whether that leads to rest.
+template <class Element>
+bool settleNear(Block<double, Element>& block, const StrandBatch& batch, Progress<double>& at) {
+    if (batch.rods->starts.empty()) return false;
+    block.begin();
+    at.share = 1;
+    settleBlock(block, brisk(batch.tolerance), at);
+    return at.settled;
+}
+
 template <class Element>
 void settleEach(const StrandBatch& batch) {
     Block<double, Element> block(batch);
     for (std::uint32_t place = 0; place < batch.strands.size(); ++place) {
         block.take(std::span(&place, 1));
         Progress<double> at{};
+        const bool near = settleNear(block, batch, at);
         for (const NewtonOptions& options : {brisk(batch.tolerance), patient(batch.tolerance)}) {
+            if (near) break;
             block.unbend();
             nudge(block);
             at = {};

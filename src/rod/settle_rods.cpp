@@ -77,6 +77,13 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
     std::vector<std::uint32_t> refined(batches.size());
     parallelFor(batches.size(), 1, options.threads, [&](std::size_t begin, std::size_t /*end*/) {
         const Batch& one = batches[begin];
+        if (rods.segments(order[one.first]) == 0) {
+            for (std::size_t i = one.first; i < one.first + one.size; ++i) {
+                nodes[rods.firstNode(order[i])] = rods.roots[order[i]];
+                settled[order[i]] = 1;
+            }
+            return;
+        }
         StrandBatch batch;
         batch.rods = &rods;
         batch.world = &world;

@@ -74,10 +74,11 @@ TEST(BadInput, AHeadThatIsMissingOrNoneIsNamed) {
     EXPECT_EQ(runKushi("info " + style).status, 0);
 }
 
-TEST(BadInput, SettlingAGroomIsNotThereYet) {
+TEST(BadInput, AGroomHasAsManyStrandsAsItHas) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n");
-    expectRefused(folder, "settle " + folder + "/a.obj -o " + folder + "/out.hair", "equilibrium");
+    expectRefused(folder, "settle " + folder + "/a.obj --count 5 -o " + folder + "/out.hair",
+                  "for styles");
     expectRefused(folder, "render " + folder + "/a.obj --count 5 -o " + folder + "/out.png",
                   "for styles");
 }

@@ -139,7 +139,10 @@ public:
                 const V3<V> curvature = gatherVector<V>(
                     [&](std::size_t l) { return rods.naturalCurvature[segment(l)]; });
                 element.rest = element.length * curvature;
-                element.chord = helixChord(element.rest, element.length);
+                element.chord =
+                    rods.chords.empty()
+                        ? helixChord(element.rest, element.length)
+                        : gatherVector<V>([&](std::size_t l) { return rods.chords[segment(l)]; });
             }
         }
         problem_.elements = elements_;
@@ -216,6 +219,25 @@ public:
                 nodes_[j].state = problem_.clamp;
             } else {
                 nodes_[j].state = carried(nodes_[j - 1].state, elements_[j - 1].rest);
+            }
+        }
+    }
+
+    // Where the rods say to begin.
+    HWY_INLINE void begin() {
+        nodes_[0].state = problem_.clamp;
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            const auto frame = [&](std::size_t l) -> const Frame& {
+                return batch_.rods->starts[batch_.rods->offsets[batch_.strands[place(l)]] + j - 1];
+            };
+            const Quaternion<V> state = {gather<V>([&](std::size_t l) { return frame(l).w; }),
+                                         {gather<V>([&](std::size_t l) { return frame(l).x; }),
+                                          gather<V>([&](std::size_t l) { return frame(l).y; }),
+                                          gather<V>([&](std::size_t l) { return frame(l).z; })}};
+            if constexpr (Element::freedoms == 2) {
+                nodes_[j].state = tangentOf(state);
+            } else {
+                nodes_[j].state = state;
             }
         }
     }

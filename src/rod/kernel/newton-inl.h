@@ -113,7 +113,7 @@ public:
             eliminate(at);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
-            at.settled = at.settled | ((at.share >= V(1)) & calm & at.stable);
+            at.settled = at.settled | ((at.share >= V(1)) & calm & at.stable & !(at.shift > V(0)));
             if (!any(!at.settled) || step == options.maxSteps) return;
 
             const MaskOf<V> go = (!at.settled) & at.stable & good;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// `kushi settle` of a groom made elsewhere.
+#include "settle_groom.h"
+
+#include "input.h"
+#include "messages.h"
+#include "progress.h"
+#include "report.h"
+
+#include <kushi/groom_io.h>
+#include <kushi/settle_groom.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace kushi {
+
+namespace {
+
+// "X,Y,Z".
+std::optional<Vec3d> readVector(const std::string& text) {
+    double numbers[3];
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0 && (at == end || *at++ != ',')) return {};
+        const auto [next, error] = std::from_chars(at, end, numbers[i]);
+        if (error != std::errc() || !std::isfinite(numbers[i])) return {};
+        at = next;
+    }
+    if (at != end) return {};
+    return Vec3d{numbers[0], numbers[1], numbers[2]};
+}
+
+std::optional<Vec3d> readAxis(const std::string& name) {
+    if (name == "x") return Vec3d{1, 0, 0};
+    if (name == "-x") return Vec3d{-1, 0, 0};
+    if (name == "y") return Vec3d{0, 1, 0};
+    if (name == "-y") return Vec3d{0, -1, 0};
+    if (name == "z") return Vec3d{0, 0, 1};
+    if (name == "-z") return Vec3d{0, 0, -1};
+    return {};
+}
+
+Result<GroomSettleOptions> optionsOf(const SettleArguments& arguments) {
+    const SettleFlags& flags = arguments.flags;
+    if (flags.count || flags.segments) {
+        return Problem{"--count and --segments are for styles; a groom keeps its strands and nodes",
+                       arguments.input};
+    }
+    if (flags.method == "cantilever") {
+        return Problem{
+            "--method cantilever is for styles; a groom settles by true rest, leave "
+            "--method out",
+            arguments.input};
+    }
+    const GroomFlags& changes = arguments.groom;
+    GroomSettleOptions options;
+    options.threads = flags.threads;
+    if (!changes.up.empty()) {
+        const auto up = readAxis(changes.up);
+        if (!up) return Problem{"--up " + changes.up + ": give x, y, z, -x, -y or -z"};
+        options.setGravity = -*up;
+    }
+    options.gravity = options.setGravity;
+    if (!changes.gravity.empty()) {
+        const auto gravity = readVector(changes.gravity);
+        if (!gravity || length(*gravity) > 1000) {
+            return Problem{"--gravity " + changes.gravity +
+                           ": give X,Y,Z in multiples of the earth's, as in 0,-1,0"};
+        }
+        options.gravity = *gravity;
+    }
+    options.weightScale = changes.weightScale.value_or(1);
+    options.stiffnessScale = changes.stiffnessScale.value_or(1);
+    options.set = changes.set.value_or(1);
+    return options;
+}
+
+// From the file's unit to metres, or back.
+void scale(Strands& groom, double factor) {
+    if (factor == 1) return;
+    for (Vec3f& node : groom.nodes)
+        node = (factor * node.as<double>()).as<float>();
+    for (float& diameter : groom.diameters)
+        diameter = static_cast<float>(factor * diameter);
+}
+
+std::string groomReportJson(const GroomSettleReport& report, const StageClock& clock) {
+    nlohmann::ordered_json json;
+    json["strands"] = report.strands;
+    json["segments"] = report.segments;
+    for (const StageTime& stage : clock.stages())
+        json["wall_ms"][stage.stage] = stage.milliseconds;
+    json["wall_ms"]["total"] = clock.total();
+    json["max_penetration_cm"] = nullptr;
+    json["max_residual"] = report.maxResidual;
+    json["unsettled"] = report.unsettled;
+    json["set"] = {{"unstable", report.unstable},
+                   {"unheld", report.unheld},
+                   {"stiffened", report.stiffened},
+                   {"stiffened_median", report.stiffenedMedian},
+                   {"stiffened_max", report.stiffenedMost}};
+    return json.dump(2) + '\n';
+}
+
+}  // namespace
+
+Status noGroomFlags(const SettleArguments& arguments) {
+    const GroomFlags& given = arguments.groom;
+    if (given.gravity.empty() && given.up.empty() && !given.weightScale && !given.stiffnessScale &&
+        !given.set && !given.unit) {
+        return std::monostate{};
+    }
+    return Problem{
+        "--gravity, --weight-scale, --stiffness-scale, --set, --up and --unit are for grooms; a "
+        "style says it itself (gravity, [hair] density and stiffness)",
+        arguments.input};
+}
+
+int settleGroomFile(const SettleArguments& arguments) {
+    Result<GroomSettleOptions> options = optionsOf(arguments);
+    if (!options) return report(options.problems());
+    StageClock clock;
+    Result<Strands> groom = readGroom(arguments.input);
+    if (!groom) return report(groom.problems());
+    const double unit = arguments.groom.unit.value_or(1);
+    scale(*groom, unit);
+    clock.end("read");
+
+    ProgressBar bar("settling");
+    options->progress = [&bar](double share) { bar.show(share); };
+    Result<SettledStrands> settled = settleGroom(*groom, *options);
+    if (!settled) {
+        std::vector<Problem> problems = settled.problems();
+        for (Problem& problem : problems)
+            problem.file = arguments.input;
+        return report(problems);
+    }
+    clock.add(settled->report.stages);
+    scale(settled->strands, 1 / unit);
+    if (const Status written = writeGroom(settled->strands, arguments.output); !written)
+        return report(written.problems());
+    clock.end("write");
+    const GroomSettleReport& told = settled->report;
+    if (const Status written = writeReport(arguments.reportPath, groomReportJson(told, clock));
+        !written) {
+        return report(written.problems());
+    }
+    std::printf("%s: %s, %s (%s)\n", arguments.output.c_str(),
+                counted(told.strands, "strand").c_str(), counted(told.segments, "segment").c_str(),
+                timesLine(clock).c_str());
+    if (told.stiffened > 0) {
+        std::printf("made stiffer to hold: %s, by %.3g in the median and %.3g at most\n",
+                    counted(told.stiffened, "strand").c_str(), told.stiffenedMedian,
+                    told.stiffenedMost);
+    }
+    if (told.unheld > 0)
+        std::printf("too long or too heavy to hold: %s\n", counted(told.unheld, "strand").c_str());
+    if (told.unsettled > 0)
+        std::printf("not at rest: %s\n", counted(told.unsettled, "strand").c_str());
+    return Done;
+}
+
+}  // namespace kushi

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/settle.h>
+
+namespace kushi {
+
+/// How to settle a groom made elsewhere. It is taken to rest as it is, of `hair` (each strand as
+/// thick as the groom says, if it does) under `setGravity`; then the rest is changed.
+struct GroomSettleOptions {
+    Hair hair;
+    Vec3d setGravity = {0, -1, 0};  ///< times the earth's
+    Vec3d gravity = {0, -1, 0};     ///< that it is then under, times the earth's
+    double weightScale = 1;         ///< > 0; wet hair is about 1.3 times as heavy
+    double stiffnessScale = 1;      ///< > 0; of EI and GJ, the natural shape stays
+    double set = 1;   ///< share of the natural shape that stays, in [0, 1]; 0: straight
+    int threads = 0;  ///< 0: as many as the machine has
+    /// Told the share done, in [0, 1], now and then; may be empty.
+    std::function<void(double)> progress;
+};
+
+struct GroomSettleReport {
+    std::size_t strands = 0;
+    std::size_t segments = 0;  ///< in all
+    std::vector<StageTime> stages;
+    double maxResidual = 0;     ///< of the strands that settled, over EI/L + w L^2/2
+    std::size_t unsettled = 0;  ///< strands that did not come to rest
+    std::size_t unstable = 0;   ///< strands that would not hold their shape as they are
+    std::size_t unheld = 0;     ///< of these, what no stiffening tried has held; they fall
+    /// Strands made stiffer so that they hold, and how many times: median and most (1 if none).
+    std::size_t stiffened = 0;
+    double stiffenedMedian = 1, stiffenedMost = 1;
+};
+
+struct SettledStrands {
+    Strands strands;  ///< the groom with nodes at rest; what else it has is as it was
+    GroomSettleReport report;
+};
+
+/// Sets a groom and brings it to rest under what has changed. The change is made in small steps
+/// from the groom as it is, and each strand takes the rest that this leads to; where nothing has
+/// changed, nodes stay within 1e-4 of the strand's length. Nothing is in its way: neither a head
+/// nor other hair.
+///
+/// The same groom gives the same nodes from any number of threads.
+Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOptions& options = {});
+
+}  // namespace kushi

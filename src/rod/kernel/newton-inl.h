@@ -111,7 +111,10 @@ public:
             eliminate(at);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
-            at.settled = at.settled | ((at.share >= V(1)) & calm & at.stable);
+            // With a shift the pivots tell nothing about stability: an upright strand has no
+            // moments to balance and is not at rest.
+            const MaskOf<V> sure = at.stable & (at.shift <= V(0));
+            at.settled = at.settled | ((at.share >= V(1)) & calm & sure);
             if (!any(!at.settled) || step == options.maxSteps) return;
 
             const MaskOf<V> go = (!at.settled) & at.stable & good;

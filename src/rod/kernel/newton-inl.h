@@ -126,8 +126,9 @@ public:
             advance(go, back, stepShare(go, relaxed, number<V>(options.reach)));
             at.steps = select(at.settled, at.steps, at.steps + V(1));
 
-            const V lower = select(at.shift < V(1e-4F) * base, V(0), V(0.25F) * at.shift);
-            const V higher = most(V(16) * at.shift, V(1e-3F) * base);
+            // Small at first: a strand just past buckling falls by the ratio of the two in a step.
+            const V lower = select(at.shift < V(2e-5F) * base, V(0), V(0.25F) * at.shift);
+            const V higher = most(V(16) * at.shift, V(1e-5F) * base);
             at.shift = select(go, lower, select(at.settled, at.shift, higher));
             const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
             const V grown =

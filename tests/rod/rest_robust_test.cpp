@@ -76,6 +76,8 @@ TEST(RestRobust, EveryRandomHairSettles) {
         std::vector<Vec3f> nodes(rods.nodeCount());
         const RestReport report = settleRods(rods, {}, state, nodes);
         EXPECT_TRUE(report.unsettled.empty()) << static_cast<int>(shape);
+        RecordProperty("refined" + std::to_string(static_cast<int>(shape)),
+                       static_cast<int>(report.refined));
         // Doubles are for the few that floats cannot settle.
         EXPECT_LT(report.refined, 300U) << static_cast<int>(shape);
         for (const Vec3f& node : nodes)

@@ -149,6 +149,7 @@ public:
         problem_.momentScale = bending / length_ + V(0.5F) * total * length_;
         problem_.gravity = everywhere<V>(batch_.world->gravity);
         problem_.tipLoad = {V(0), V(0), V(0)};
+        lean(tangentOf(clamp));
         takeForces(longest);
 
         V pull = squareRoot(dot(problem_.gravity, problem_.gravity));
@@ -265,6 +266,23 @@ public:
     }
 
 private:
+    // A clamp that points straight against gravity, tilted a little to the side that the key
+    // chooses: else rounding would choose.
+    HWY_INLINE void lean(const V3<V>& tangent) {
+        const V3<V>& down = problem_.gravity;
+        const V3<V> off = cross(tangent, down);
+        const V square = dot(down, down);
+        const MaskOf<V> upright =
+            (dot(off, off) <= V(1e-10F) * square) & (dot(tangent, down) < V(0));
+        if (!any(upright)) return;
+        const V3<V> side = number<V>(1e-5) * lean();
+        Column<V, Element::freedoms> turn;
+        turn[0] = side[0];
+        turn[1] = side[1];
+        if constexpr (Element::freedoms == 3) turn[2] = V(0);
+        problem_.clamp = select(upright, Element::turned(problem_.clamp, turn), problem_.clamp);
+    }
+
     std::uint32_t place(std::size_t lane) const {
         return places_[std::min(lane, places_.size() - 1)];
     }

@@ -113,7 +113,10 @@ public:
             eliminate(at);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
-            at.settled = at.settled | ((at.share >= V(1)) & calm & at.stable & !(at.shift > V(0)));
+            // With a shift the pivots tell nothing about stability: an upright strand has no
+            // moments to balance and is not at rest.
+            const MaskOf<V> sure = at.stable & (at.shift <= V(0));
+            at.settled = at.settled | ((at.share >= V(1)) & calm & sure);
             if (!any(!at.settled) || step == options.maxSteps) return;
 
             const MaskOf<V> go = (!at.settled) & at.stable & good;
@@ -126,8 +129,9 @@ public:
             advance(go, back, stepShare(go, relaxed, number<V>(options.reach)));
             at.steps = select(at.settled, at.steps, at.steps + V(1));
 
-            const V lower = select(at.shift < V(1e-4F) * base, V(0), V(0.25F) * at.shift);
-            const V higher = most(V(16) * at.shift, V(1e-3F) * base);
+            // Small at first: a strand just past buckling falls by the ratio of the two in a step.
+            const V lower = select(calm | (at.shift < V(2e-5F) * base), V(0), V(0.25F) * at.shift);
+            const V higher = most(V(16) * at.shift, V(1e-5F) * base);
             at.shift = select(go, lower, select(at.settled, at.shift, higher));
             const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
             const V grown =

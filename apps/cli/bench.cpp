@@ -66,7 +66,7 @@ Part headOfHair(bool curly) {
             {{range.thetaLow, range.thetaHigh}, {range.phiLow, range.phiHigh}});
     }
     part.hair.length = std::cbrt(gamma * part.hair.rigidity() / part.hair.weightPerLength());
-    if (curly) part.hair.curl = Curl{.radius = 0.006, .pitch = 0.03};
+    if (curly) part.hair.curl = Curl{0.006, 0.03, 0.15};
     return part;
 }
 
@@ -155,7 +155,8 @@ private:
 
     // One thread, plain double precision, fewer strands; the time is scaled up to all of them.
     void reference(const Rods& rods) {
-        const RodWorld world = {.gravity = {0.2, -1, 0.1}};
+        RodWorld world;
+        world.gravity = {0.2, -1, 0.1};
         std::vector<Vec3f> nodes(rods.nodeCount());
         std::vector<float> residuals(rods.size());
         std::vector<std::uint8_t> settled(rods.size());

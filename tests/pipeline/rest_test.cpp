@@ -24,6 +24,30 @@ Style style(int count) {
     return style;
 }
 
+SettleOptions threads(int count) {
+    SettleOptions options;
+    options.threads = count;
+    return options;
+}
+
+SettleOptions preview(std::size_t count) {
+    SettleOptions options;
+    options.count = count;
+    return options;
+}
+
+SettleOptions walk() {
+    SettleOptions options;
+    options.method = Method::Cantilever;
+    return options;
+}
+
+RodWorld weightlessness() {
+    RodWorld world;
+    world.gravity = {0, 0, 0};
+    return world;
+}
+
 SettledGroom settled(const Style& style, const SettleOptions& options = {}) {
     auto groom = settle(style, options);
     EXPECT_TRUE(groom) << toString(groom.problems()[0]);
@@ -49,11 +73,11 @@ TEST(HairAtRest, KeepsItsLengthAndStaysOutsideOfTheHead) {
 
 TEST(HairAtRest, DoesNotDependOnTheNumberOfThreads) {
     Style hair = style(700);
-    hair.parts[0].hair.curl = Curl{.radius = 0.008, .pitch = 0.03};
-    const SettledGroom one = settled(hair, {.threads = 1});
-    for (const int threads : {2, 8}) {
-        const SettledGroom more = settled(hair, {.threads = threads});
-        EXPECT_EQ(one.strands.nodes, more.strands.nodes) << threads;
+    hair.parts[0].hair.curl = Curl{0.008, 0.03, 0.15};
+    const SettledGroom one = settled(hair, threads(1));
+    for (const int count : {2, 8}) {
+        const SettledGroom more = settled(hair, threads(count));
+        EXPECT_EQ(one.strands.nodes, more.strands.nodes) << count;
     }
 }
 
@@ -61,7 +85,7 @@ TEST(HairAtRest, DoesNotDependOnTheNumberOfThreads) {
 TEST(HairAtRest, OfAPreviewIsThatOfTheWhole) {
     const Style hair = style(600);
     const SettledGroom whole = settled(hair);
-    const SettledGroom some = settled(hair, {.count = 60});
+    const SettledGroom some = settled(hair, preview(60));
     std::size_t found = 0;
     for (std::size_t i = 0; i < some.strands.size(); ++i) {
         for (std::size_t k = 0; k < whole.strands.size(); ++k) {
@@ -91,7 +115,7 @@ TEST(HairAtRest, SpringsUpWhereItIsCut) {
     Style hair = style(300);
     hair.solver.segments = 48;
     hair.parts[0].hair.length = 0.25;
-    hair.parts[0].hair.curl = Curl{.radius = 0.008, .pitch = 0.03};
+    hair.parts[0].hair.curl = Curl{0.008, 0.03, 0.15};
     Cut cut;
     cut.keep = {{0, 0.12}};
     cut.mode = CutMode::Hide;
@@ -111,7 +135,7 @@ TEST(HairAtRest, TapersToItsTip) {
 
 TEST(HairAtRest, NeedsSeveralSegmentsForATurnOfACurl) {
     Style hair = style(20);
-    hair.parts[0].hair.curl = Curl{.radius = 0.002, .pitch = 0.005};
+    hair.parts[0].hair.curl = Curl{0.002, 0.005, 0.15};
     const auto groom = settle(hair);
     ASSERT_FALSE(groom);
     EXPECT_NE(groom.problems()[0].message.find("give [solver] segments = "), std::string::npos);
@@ -119,8 +143,8 @@ TEST(HairAtRest, NeedsSeveralSegmentsForATurnOfACurl) {
 
 TEST(HairAtRest, IsNotForTheWalkWhereItCurls) {
     Style hair = style(20);
-    hair.parts[0].hair.wave = Wave{.amplitude = 0.01, .length = 0.05};
-    const auto groom = settle(hair, {.method = Method::Cantilever});
+    hair.parts[0].hair.wave = Wave{0.01, 0.05, 0.15};
+    const auto groom = settle(hair, walk());
     ASSERT_FALSE(groom);
     EXPECT_NE(groom.problems()[0].message.find("equilibrium"), std::string::npos);
 }
@@ -137,14 +161,14 @@ Rods grown(const Style& style) {
 std::vector<Vec3f> weightless(const Rods& rods) {
     std::vector<Vec3f> nodes(rods.nodeCount());
     RestState state;
-    settleRods(rods, {.gravity = {0, 0, 0}}, state, nodes);
+    settleRods(rods, weightlessness(), state, nodes);
     return nodes;
 }
 
 // A helix of radius r and pitch p rises p for 2 pi sqrt(r^2 + (p / 2 pi)^2) of its length.
 TEST(GrownHair, WindsAboutItsGrowthDirection) {
     Style hair = style(20);
-    hair.parts[0].hair.curl = Curl{.radius = 0.006, .pitch = 0.02, .variation = 0};
+    hair.parts[0].hair.curl = Curl{0.006, 0.02, 0};
     const Rods rods = grown(hair);
     const std::vector<Vec3f> nodes = weightless(rods);
     const double rise = 0.02 / (2 * std::numbers::pi);
@@ -160,7 +184,7 @@ TEST(GrownHair, WindsAboutItsGrowthDirection) {
 
 TEST(GrownHair, WavesAboutItsGrowthDirection) {
     Style hair = style(20);
-    hair.parts[0].hair.wave = Wave{.amplitude = 0.01, .length = 0.05, .variation = 0};
+    hair.parts[0].hair.wave = Wave{0.01, 0.05, 0};
     const Rods rods = grown(hair);
     const std::vector<Vec3f> nodes = weightless(rods);
     for (std::size_t i = 0; i < rods.size(); ++i) {

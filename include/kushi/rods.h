@@ -83,8 +83,8 @@ struct RestReport {
 /// length, so length is kept exactly; its weight acts at its middle. Where there are several
 /// rests, a strand takes the one reached from its natural shape as the loads grow from zero, or the
 /// one near `starts`; one
-/// that stands upright falls to a side that its key chooses. The ellipsoid pushes from a tenth of a
-/// millimetre or two above its surface, so that no node reaches it. docs/physics.md has it all.
+/// that stands upright falls to a side that its key chooses. The ellipsoid pushes from two
+/// millimetres above its surface, so that no node reaches it. docs/physics.md has it all.
 ///
 /// Straight rods without natural curvature do not twist and take a cheaper way.
 ///

@@ -62,7 +62,8 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
     }
 }
 
-// A few steps for all; those that need more are put together and go on, with more care each time.
+// A few steps for all; those that need more are put together and go on. What is quick for most is
+// not for all, so that they go on in other ways as well.
 template <class Element>
 void settleAll(const StrandBatch& batch) {
     Block<Lanes, Element> block(batch);
@@ -80,7 +81,7 @@ void settleAll(const StrandBatch& batch) {
         double worse, curvature;
     };
     for (const Pass& pass : {Pass{batch.warm ? 3 : 6, 100, 0.02}, Pass{12, 100, 0.02},
-                             Pass{30, 10, 0.02}, Pass{120, 3, 1}}) {
+                             Pass{40, 100, 0.02}, Pass{60, 10, 0.02}, Pass{60, 100, 1}}) {
         options.maxSteps = pass.steps;
         options.worse = pass.worse;
         options.curvature = pass.curvature;

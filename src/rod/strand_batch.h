@@ -35,8 +35,8 @@ void settleLanes(const StrandBatch& batch);
 /// Settles one strand in double precision, in many small steps of the load.
 void settleReference(const StrandBatch& batch);
 
-/// Width of the skin over a collider in which hair is held [m].
-inline constexpr double contactSkin = 5e-4;
+/// Width of the skin over a collider in which hair is held: about what other hair takes up [m].
+inline constexpr double contactSkin = 2e-3;
 
 /// Depth inside a collider from which a node does not count as held [m].
 inline constexpr double contactDepth = 5e-6;

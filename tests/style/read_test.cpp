@@ -467,6 +467,8 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::ellipsoid, "[scalp.ellipsoid]\n"},
         {&tables::regions, "[[scalp.regions]]\n"},
         {&tables::hair, "[hair]\n"},
+        {&tables::curl, "[hair.curl]\n"},
+        {&tables::wave, "[hair.wave]\n"},
         {&tables::force, "[[force]]\n"},
         {&tables::cut, "[[cut]]\n"},
         {&tables::roots, "[[cut]]\n[cut.roots]\n"},

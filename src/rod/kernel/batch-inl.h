@@ -149,7 +149,7 @@ public:
         problem_.momentScale = bending / length_ + V(0.5F) * total * length_;
         problem_.gravity = everywhere<V>(batch_.world->gravity);
         problem_.tipLoad = {V(0), V(0), V(0)};
-        lean(tangentOf(clamp));
+        if (rods.starts.empty()) lean(tangentOf(clamp));
         takeForces(longest);
 
         V pull = squareRoot(dot(problem_.gravity, problem_.gravity));

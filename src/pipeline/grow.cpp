@@ -70,9 +70,12 @@ std::uint64_t lockOf(Vec3d root) {
     const Vec3d scaled = root / lockSize;
     double nearest = 1e30;
     std::uint64_t lock = 0;
+    const auto beside = [](double place, int step) { return std::floor(place) + step - 1; };
     for (int i = 0; i < 27; ++i) {
-        const Vec3d cell = {std::floor(scaled.x) + i % 3 - 1, std::floor(scaled.y) + i / 3 % 3 - 1,
-                            std::floor(scaled.z) + i / 9 - 1};
+        const int layer = i / 9;
+        const int row = i / 3 % 3;
+        const Vec3d cell = {beside(scaled.x, i % 3), beside(scaled.y, row),
+                            beside(scaled.z, layer)};
         std::uint64_t key = lockSalt;
         for (const double number : {cell.x, cell.y, cell.z})
             key = mixKey(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(number)));
@@ -177,9 +180,12 @@ Rods grow(const Part& part, const Follicles& follicles, const Sizes& sizes,
         rods.lengths.push_back(static_cast<float>(sizes.lengths[i]));
         rods.keys.push_back(key);
 
-        const auto n = static_cast<double>(sizes.segments[i]);
-        const auto place = [&](double j) { return sizes.lengths[i] * std::pow(j / n, grading); };
-        for (double j = 0; j < n; ++j) {
+        const std::size_t n = sizes.segments[i];
+        const auto place = [&](std::size_t j) {
+            const double share = static_cast<double>(j) / static_cast<double>(n);
+            return sizes.lengths[i] * (grading == 1 ? share : std::pow(share, grading));
+        };
+        for (std::size_t j = 0; j < n; ++j) {
             const double from = place(j);
             const double to = place(j + 1);
             if (grading != 1) rods.segmentLengths.push_back(static_cast<float>(to - from));

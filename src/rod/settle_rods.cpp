@@ -55,11 +55,11 @@ std::uint64_t layoutOf(const Rods& rods) {
 
 }  // namespace
 
-Frame frameAlong(Vec3d t) {
-    if (t.z < -1 + 1e-12) return {0, 1, 0, 0};
-    const double scale = 1 / std::sqrt(2 * (1 + t.z));
-    return {static_cast<float>((1 + t.z) * scale), static_cast<float>(-t.y * scale),
-            static_cast<float>(t.x * scale), 0};
+Frame frameAlong(Vec3d direction) {
+    if (direction.z < -1 + 1e-12) return {0, 1, 0, 0};
+    const double scale = 1 / std::sqrt(2 * (1 + direction.z));
+    return {static_cast<float>((1 + direction.z) * scale), static_cast<float>(-direction.y * scale),
+            static_cast<float>(direction.x * scale), 0};
 }
 
 RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,

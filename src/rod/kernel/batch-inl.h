@@ -17,8 +17,7 @@
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 // Number x of every strand side by side: V of lane -> value.
 template <class V, class Value>
@@ -392,8 +391,7 @@ HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& optio
     at.steps = steps;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -18,8 +18,7 @@
 #include <numbers>
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 template <class V>
 struct Quaternion {
@@ -179,8 +178,7 @@ struct Curly {
     }
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

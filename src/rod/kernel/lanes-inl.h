@@ -19,8 +19,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -220,8 +219,7 @@ HWY_INLINE double arcsineRatio(double s) {
     return x < 1e-4 ? 1 + s / 6 : std::asin(std::min(x, 1.0)) / x;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

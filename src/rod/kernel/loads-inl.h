@@ -11,8 +11,7 @@
 #include "rod/kernel/matrix-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 // A force as multiples of the hair's own weight, wherever it acts in full.
 template <class V>
@@ -122,8 +121,7 @@ struct Support {
     V stiffness;  // [N/m]
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

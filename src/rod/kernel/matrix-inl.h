@@ -11,8 +11,7 @@
 #include "rod/kernel/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 template <class V, int R, int C>
 struct Matrix {
@@ -211,8 +210,7 @@ HWY_INLINE Factors<V, R> factorize(const Matrix<V, R, R>& m, V least, MaskOf<V>&
     return f;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

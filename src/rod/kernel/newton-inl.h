@@ -20,8 +20,7 @@
 #include <span>
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 // What is to come to rest: one strand in each lane, all with as many segments.
 template <class V, class Element>
@@ -381,14 +380,13 @@ private:
     const Problem<V, Element>& problem_;
     std::span<Row> nodes_;
     std::span<Touch> contacts_;
-    V curvature_;
-    MaskOf<V> touched_;          // lanes in which a node touches the collider
+    V curvature_{};
+    MaskOf<V> touched_{};        // lanes in which a node touches the collider
     bool stiff_ = false;         // any k of any lane
     std::size_t firstFree_ = 0;  // nodes from here to the tip touch nothing
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -13,8 +13,7 @@
 #include "rod/kernel/matrix-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace kushi {
-namespace HWY_NAMESPACE {
+namespace kushi::HWY_NAMESPACE {
 
 // Energy, gradient and Hessian of one segment in the rotations alpha and beta of its two nodes, and
 // how its chord moves with them.
@@ -124,8 +123,7 @@ struct Straight {
     }
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace kushi
+}  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

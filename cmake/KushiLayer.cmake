@@ -42,5 +42,5 @@ function(kushi_test layer)
   target_link_libraries(${layer}_tests PRIVATE kushi_${layer} kushi_options GTest::gmock
                                                GTest::gtest_main)
   gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 300)
+                       PROPERTIES TIMEOUT 900)
 endfunction()

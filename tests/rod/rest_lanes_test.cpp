@@ -43,11 +43,18 @@ protected:
 
 using RestLanes = OnEveryTarget;
 
+// Sanitizers make them some hundred times as slow.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int hairs = 150;
+#else
+constexpr int hairs = 1000;
+#endif
+
 TEST_F(RestLanes, AgreeWithTheReferenceOnEveryTarget) {
     const std::vector<std::int64_t> targets = targetsHere();
     ASSERT_FALSE(targets.empty());
     for (const Shape shape : shapes) {
-        const Rods rods = randomHairs(shape, 1000, 25);
+        const Rods rods = randomHairs(shape, hairs, 25);
         const rest::Settled exact = settleBy(settleReference, rods, {}, 1e-8);
         for (const std::int64_t target : targets) {
             use(target);
@@ -61,7 +68,7 @@ TEST_F(RestLanes, AgreeWithTheReferenceOnEveryTarget) {
             }
             std::sort(gaps.begin(), gaps.end());
             // The rest is for the reference.
-            EXPECT_GE(settled, 980) << hwy::TargetName(target);
+            EXPECT_GE(settled, hairs * 98 / 100) << hwy::TargetName(target);
             // A residual of 1e-5 moves a strand by so much times its compliance: little in the
             // middle, more where a heavy curl is about to turn over.
             EXPECT_LT(gaps[gaps.size() / 2], 2e-5) << hwy::TargetName(target);

@@ -75,9 +75,9 @@ HWY_INLINE Lanes squareRoot(Lanes x) {
     return Lanes(hn::Sqrt(x.v));
 }
 // By the processor's estimate and one step of Newton's method: within an ulp or two, and several
-// times as fast as a division or a root. Only x86 estimates 12 bits or more: what Highway emulates
-// has 9 of a root, NEON 8 of both, and tangents of such a length do not come to rest.
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+// times as fast as a division or a root. Only AVX-512 estimates 14 bits; from 12, moments keep an
+// error near the tolerance, and from 8 or 9 (NEON, what Highway emulates) nothing comes to rest.
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
 HWY_INLINE Lanes reciprocal(Lanes x) {
     const Lanes guess(hn::ApproximateReciprocal(x.v));
     return guess * (Lanes(2.0F) - x * guess);

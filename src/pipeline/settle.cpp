@@ -4,6 +4,7 @@
 #include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
 #include "pipeline/rest.h"
+#include "pipeline/stopwatch.h"
 #include "pipeline/strand.h"
 
 #include <kushi/follicles.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -25,19 +25,6 @@ constexpr std::size_t blockSize = 256;
 // How far the drawn inner piece reaches from the follicle towards the ellipsoid's centre, and not
 // past it [m].
 constexpr double innerPiece = 0.02;
-
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double, std::milli> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // What a block of consecutive follicles has become.
 struct Block {

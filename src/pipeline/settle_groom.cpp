@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "pipeline/stopwatch.h"
+
 #include <kushi/rest_shape.h>
 #include <kushi/settle_groom.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace kushi {
@@ -72,19 +73,6 @@ void describe(const RestReport& rest, GroomSettleReport& report) {
         report.maxResidual = std::max(report.maxResidual, static_cast<double>(rest.residuals[i]));
     }
 }
-
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double, std::milli> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 

@@ -48,7 +48,10 @@ double phiAt(std::span<const EdgePoint> edge, double theta) {
 std::vector<AngleRange> hairlineBands() {
     constexpr double width = 0.5;
     std::vector<AngleRange> bands = {inDegrees(0, hairline.front().theta, -180, 180)};
-    for (double theta = hairline.front().theta; theta < behindEar.back().theta; theta += width) {
+    const double first = hairline.front().theta;
+    const auto count = static_cast<int>(std::ceil((behindEar.back().theta - first) / width));
+    for (int i = 0; i < count; ++i) {
+        const double theta = first + i * width;
         const auto add = [&](double from, double to) {
             bands.push_back(inDegrees(theta, theta + width, from, to));
         };

@@ -30,6 +30,31 @@ struct Left {
     std::vector<float> shares;
 };
 
+// Settles what only hangs and touches nothing; the others are added to `left`.
+void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> nodes,
+          std::span<const std::uint32_t> some, double tolerance, Left& left) {
+    block.take(some);
+    alignas(64) float settled[Lanes::count] = {};
+    const LaneMask able = block.hanging();
+    if (any(able)) {
+        Progress<Lanes> at{};
+        Hanging<Lanes> hanging(block.problem(), nodes);
+        hanging.run(tolerance, 6, at);
+        hanging.place(block.nodes());
+        at.settled = at.settled & able & block.clear();
+        if (any(at.settled)) {
+            block.store(at.settled);
+            block.write(at, at.settled);
+        }
+        storeMask(at.settled, settled);
+    }
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+        if (settled[lane] != 0) continue;
+        left.places.push_back(some[lane]);
+        left.shares.push_back(1);
+    }
+}
+
 // Settles strands side by side; those that are not yet at rest are added to `left`.
 template <class Element>
 void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from, Start start,
@@ -52,8 +77,9 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
         });
     }
     settleBlock(block, options, at);
-    block.store();
-    block.write(at);
+    const LaneMask all = Lanes(0) < Lanes(1);
+    block.store(all);
+    block.write(at, all);
 
     alignas(64) float settled[Lanes::count];
     alignas(64) float share[Lanes::count];
@@ -74,6 +100,20 @@ void settleAll(const StrandBatch& batch) {
     Left some;
     for (std::uint32_t i = 0; i < batch.strands.size(); ++i)
         some.places.push_back(i);
+
+    if constexpr (Element::freedoms == 2) {
+        if (batch.rods->starts.empty()) {
+            const Room<Hanging<Lanes>::Node> room(block.nodes().size());
+            Left left;
+            const std::span<const std::uint32_t> places = some.places;
+            for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
+                hang(block, room.items(),
+                     places.subspan(from, std::min(Lanes::count, places.size() - from)),
+                     batch.tolerance, left);
+            }
+            some = std::move(left);
+        }
+    }
 
     NewtonOptions options;
     options.tolerance = batch.tolerance;

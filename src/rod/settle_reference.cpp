@@ -40,6 +40,7 @@ template <class Element>
 void settleEach(const StrandBatch& batch) {
     Block<double, Element> block(batch);
     for (std::uint32_t place = 0; place < batch.strands.size(); ++place) {
+        if (batch.states[batch.strands[place]] != 0) continue;
         block.take(std::span(&place, 1));
         Progress<double> at{};
         const bool near = settleNear(block, batch, at);
@@ -55,8 +56,8 @@ void settleEach(const StrandBatch& batch) {
             settleBlock(block, options, at);
             if (at.settled) break;
         }
-        block.store();
-        block.write(at);
+        block.store(true);
+        block.write(at, true);
     }
 }
 

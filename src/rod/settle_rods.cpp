@@ -15,19 +15,24 @@ namespace {
 // Strands that one thread settles together.
 constexpr std::size_t batchSize = 256;
 
-// A batch's strands, and where their turns begin in RestState.
+// A batch's strands in the order, and their turns in RestState.
 struct Batch {
-    std::size_t first = 0, size = 0;  // of the order
-    std::size_t turns = 0;
+    std::size_t first = 0, size = 0;
+    std::size_t firstTurn = 0, turns = 0;
 };
 
 // Strands by their number of segments, else in their own order.
 std::vector<std::uint32_t> bySegments(const Rods& rods) {
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < rods.size(); ++i)
+        most = std::max(most, rods.segments(i));
+    std::vector<std::uint32_t> next(most + 2);
+    for (std::size_t i = 0; i < rods.size(); ++i)
+        ++next[rods.segments(i) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<std::uint32_t> order(rods.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return rods.segments(a) < rods.segments(b);
-    });
+    for (std::uint32_t i = 0; i < rods.size(); ++i)
+        order[next[rods.segments(i)]++] = i;
     return order;
 }
 
@@ -39,8 +44,9 @@ std::vector<Batch> batchesOf(const Rods& rods, std::span<const std::uint32_t> or
         std::size_t end = i;
         while (end < order.size() && end - i < batchSize && rods.segments(order[end]) == segments)
             ++end;
-        batches.push_back({i, end - i, turns});
-        turns += (end - i) * segments * turnsPerNode(rods);
+        const std::size_t size = turnsSize(end - i, segments, turnsPerNode(rods));
+        batches.push_back({i, end - i, turns, size});
+        turns += size;
         i = end;
     }
     return batches;
@@ -72,7 +78,7 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
     const std::uint64_t layout = layoutOf(rods);
     const bool warm = options.warm && state.layout == layout;
     state.layout = layout;
-    state.turns.resize(rods.offsets.back() * turnsPerNode(rods));
+    state.turns.resize(batches.empty() ? 0 : batches.back().firstTurn + batches.back().turns);
 
     std::vector<std::uint32_t> refined(batches.size());
     parallelFor(batches.size(), 1, options.threads, [&](std::size_t begin, std::size_t /*end*/) {
@@ -88,8 +94,7 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         batch.rods = &rods;
         batch.world = &world;
         batch.strands = std::span(order).subspan(one.first, one.size);
-        const std::size_t each = rods.segments(batch.strands[0]) * turnsPerNode(rods);
-        batch.turns = std::span(state.turns).subspan(one.turns, one.size * each);
+        batch.turns = std::span(state.turns).subspan(one.firstTurn, one.turns);
         batch.warm = warm;
         batch.tolerance = options.tolerance;
         batch.nodes = nodes;
@@ -97,15 +102,11 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         batch.states = settled;
         settleLanes(batch);
 
-        // What floats could not settle.
-        for (std::size_t i = 0; i < one.size; ++i) {
-            if (settled[batch.strands[i]] != 0) continue;
-            ++refined[begin];
-            StrandBatch alone = batch;
-            alone.strands = batch.strands.subspan(i, 1);
-            alone.turns = batch.turns.subspan(i * each, each);
-            settleReference(alone);
-        }
+        const auto left = static_cast<std::uint32_t>(
+            std::ranges::count_if(batch.strands, [&](std::uint32_t i) { return settled[i] == 0; }));
+        if (left == 0) return;
+        refined[begin] = left;
+        settleReference(batch);
     });
     report.refined = std::accumulate(refined.begin(), refined.end(), std::size_t{0});
     for (std::uint32_t i = 0; i < rods.size(); ++i) {

@@ -13,9 +13,7 @@ struct StrandBatch {
     const Rods* rods = nullptr;
     const RodWorld* world = nullptr;
     std::span<const std::uint32_t> strands;
-    /// For each strand, per node but the clamp: 3 floats of tangent, or 4 of frame with d3 along
-    /// it where there is natural curvature.
-    std::span<float> turns;
+    std::span<float> turns;  ///< turnsSize() of them, at turnIndex()
     bool warm = false;
     double tolerance = 1e-5;
 
@@ -24,15 +22,32 @@ struct StrandBatch {
     std::span<std::uint8_t> states;  ///< of all rods: 1 settled, 0 not
 };
 
-/// Floats that the turns of a strand take.
+/// How a node but the clamp is turned: 3 floats of tangent, or 4 of frame with d3 along it where
+/// there is natural curvature.
 inline std::size_t turnsPerNode(const Rods& rods) {
     return rods.naturalCurvature.empty() ? 3 : 4;
+}
+
+/// Strands whose turns lie side by side: as many as the widest registers have lanes.
+inline constexpr std::size_t turnsAbreast = 16;
+
+/// Floats for the turns of `count` strands.
+inline std::size_t turnsSize(std::size_t count, std::size_t segments, std::size_t perNode) {
+    return (count + turnsAbreast - 1) / turnsAbreast * turnsAbreast * segments * perNode;
+}
+
+/// Of number `which` of a node (>= 1) of the strand at a place in the batch.
+inline std::size_t turnIndex(std::size_t place, std::size_t segments, std::size_t perNode,
+                             std::size_t node, std::size_t which) {
+    const std::size_t tile = place / turnsAbreast;
+    return ((tile * segments + node - 1) * perNode + which) * turnsAbreast + place % turnsAbreast;
 }
 
 /// Settles a batch with as many strands side by side as the processor has lanes, in float.
 void settleLanes(const StrandBatch& batch);
 
-/// Settles one strand in double precision, in many small steps of the load.
+/// Settles those of a batch that are not settled, one by one, in double precision and with many
+/// small steps of the load.
 void settleReference(const StrandBatch& batch);
 
 /// Width of the skin over a collider in which hair is held: about what other hair takes up [m].

@@ -161,7 +161,7 @@ TEST(RestContact, TheHeadOnlyPushesAndTheMomentsBalance) {
         double worst = 0;
         for (std::size_t i = 0; i < rods.size(); ++i) {
             if (settled.states[i] == 0) continue;  // listed
-            const Balance one = balance(rods, i, settled.nodes, settled.turnsOf(rods, i));
+            const Balance one = balance(rods, i, settled.nodes, settled.turnsOf(i));
             worst = std::max(worst, one.residual);
             touching += one.touching;
         }

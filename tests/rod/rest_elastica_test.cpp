@@ -56,7 +56,7 @@ std::vector<Error> errors(std::span<const Reference> rows, int segments, bool gr
     for (std::size_t i = 0; i < rows.size(); ++i) {
         EXPECT_EQ(settled.states[i], 1) << rows[i].clamp << ' ' << rows[i].parameter;
         const Vec3f tip = settled.tip(rods, i);
-        const auto tangent = settled.turnsOf(rods, i).last(3);
+        const auto tangent = settled.turnsOf(i).last(3);
         EXPECT_NEAR(tip.z, 0, 1e-4) << "a rod bends in its plane";
         result.push_back(
             {std::hypot(tip.x - rows[i].x, tip.y - rows[i].y),

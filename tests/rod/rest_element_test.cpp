@@ -43,7 +43,7 @@ Differences differences(const typename Element::Segment& segment, const typename
     constexpr int m = Element::freedoms;
     using Turn = Column<double, m>;
     const double h = 2e-4;
-    const auto d = Element::derive(segment, a, b, force, true);
+    const auto d = Element::template derive<Order::Hessian>(segment, a, b, force, true);
     const auto energy = [&](const Turn& alpha, const Turn& beta) {
         return energyOf(Element::turned(a, alpha), Element::turned(b, beta));
     };
@@ -157,7 +157,7 @@ TEST(CurlySegment, HasFiniteDerivativesAtHalfATurn) {
             a,
             Quaternion<double>{std::cos(0.5 * angle), std::sin(0.5 * angle) * unit(draw.vector())});
         const Curly<double>::Segment segment = {0.3, 1, 0.7, 0.45, {3, 0, 0}, {0, 0, 0.3}};
-        const auto d = Curly<double>::derive(segment, a, b, draw.vector(), false);
+        const auto d = Curly<double>::derive<Order::Hessian>(segment, a, b, draw.vector(), false);
         for (int r = 0; r < 3; ++r) {
             EXPECT_TRUE(std::isfinite(d.ga[r]) && std::isfinite(d.gb[r])) << angle;
             for (int c = 0; c < 3; ++c)

@@ -22,7 +22,7 @@ TEST(RestEnergy, IsNeverAboveThatOfPerturbedNeighbours) {
         const rest::Settled settled = rest::settleBy(settleReference, rods, {}, 1e-9);
         for (std::size_t i = 0; i < rods.size(); ++i) {
             ASSERT_EQ(settled.states[i], 1) << i;
-            const rest::Strand strand = rest::strandOf(rods, i, settled.turnsOf(rods, i));
+            const rest::Strand strand = rest::strandOf(rods, i, settled.turnsOf(i));
             const double least = strand.energy();
             for (std::uint64_t trial = 0; trial < 20; ++trial) {
                 rest::Strand moved = strand;
@@ -52,7 +52,7 @@ TEST(RestEnergy, HasNoSlopeAtRest) {
         double largest = 0;
         for (std::size_t i = 0; i < rods.size(); ++i) {
             if (settled.states[i] == 0) continue;
-            rest::Strand strand = rest::strandOf(rods, i, settled.turnsOf(rods, i));
+            rest::Strand strand = rest::strandOf(rods, i, settled.turnsOf(i));
             std::vector<Vec3d> ends(strand.size());
             Vec3d beyond;
             for (std::size_t j = strand.size(); j-- > 0;) {

@@ -60,17 +60,14 @@ inline Frame planarClamp(double angle) {
 
 struct Settled {
     std::vector<Vec3f> nodes;
-    std::vector<float> turns;  // of strand i from rods.offsets[i] * turnsPerNode(rods)
+    std::vector<std::vector<float>> turns;  // of each strand, node by node
     std::vector<float> residuals;
     std::vector<std::uint8_t> states;
 
     Vec3f tip(const Rods& rods, std::size_t strand) const {
         return nodes[rods.firstNode(strand) + rods.segments(strand)];
     }
-    std::span<const float> turnsOf(const Rods& rods, std::size_t strand) const {
-        const std::size_t each = turnsPerNode(rods);
-        return std::span(turns).subspan(rods.offsets[strand] * each, rods.segments(strand) * each);
-    }
+    std::span<const float> turnsOf(std::size_t strand) const { return turns[strand]; }
 };
 
 // By one of the two kernels, without the other's help.
@@ -78,7 +75,7 @@ inline Settled settleBy(void (*kernel)(const StrandBatch&), const Rods& rods, co
                         double tolerance) {
     Settled result;
     result.nodes.resize(rods.nodeCount());
-    result.turns.resize(rods.offsets.back() * turnsPerNode(rods));
+    result.turns.resize(rods.size());
     result.residuals.resize(rods.size());
     result.states.resize(rods.size());
     std::vector<std::uint32_t> strands(rods.size());
@@ -93,14 +90,18 @@ inline Settled settleBy(void (*kernel)(const StrandBatch&), const Rods& rods, co
         batch.world = &world;
         batch.strands = std::span(strands).subspan(i, end - i);
         const std::size_t each = turnsPerNode(rods);
-        batch.turns =
-            std::span(result.turns)
-                .subspan(rods.offsets[i] * each, (rods.offsets[end] - rods.offsets[i]) * each);
+        std::vector<float> turns(turnsSize(end - i, rods.segments(i), each));
+        batch.turns = turns;
         batch.tolerance = tolerance;
         batch.nodes = result.nodes;
         batch.residuals = result.residuals;
         batch.states = result.states;
         kernel(batch);
+        for (std::size_t place = 0; place < end - i; ++place)
+            for (std::size_t j = 1; j <= rods.segments(i); ++j)
+                for (std::size_t which = 0; which < each; ++which)
+                    result.turns[i + place].push_back(
+                        turns[turnIndex(place, rods.segments(i), each, j, which)]);
         i = end;
     }
     return result;

@@ -9,11 +9,11 @@
 #endif
 
 #include "core/random.h"
-#include "rod/kernel/newton-inl.h"
+#include "rod/kernel/hanging-inl.h"
 #include "rod/strand_batch.h"
 
 #include <algorithm>
-#include <array>
+#include <type_traits>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -78,6 +78,7 @@ public:
           contactRoom_(
               batch.world->obstacle != nullptr || !batch.world->forces.empty() ? segments_ + 1 : 0),
           forceRoom_(batch.world->forces.size()),
+          placeRoom_(3 * width * (segments_ + 1)),
           elements_(elementRoom_.items()),
           nodes_(nodeRoom_.items()),
           contacts_(contactRoom_.items()) {
@@ -97,6 +98,8 @@ public:
     // Strands of the batch by their places in it; lanes beyond the last repeat it.
     HWY_INLINE void take(std::span<const std::uint32_t> places) {
         places_ = places;
+        abreast_ = std::is_same_v<ScalarOf<V>, float> && places.size() == width &&
+                   places[0] % width == 0 && places.back() == places[0] + width - 1;
         const Rods& rods = *batch_.rods;
         const auto strand = [&](std::size_t lane) { return batch_.strands[place(lane)]; };
         problem_.root = gatherVector<V>([&](std::size_t l) { return rods.roots[strand(l)]; });
@@ -168,45 +171,68 @@ public:
     // w L^3 / EI with all loads.
     V gamma() const { return gamma_; }
 
+    // Lanes on which nothing acts but gravity.
+    HWY_INLINE MaskOf<V> hanging() const {
+        V others(0);
+        for (const BoxForce<V>& force : forces_)
+            others = most(others, magnitude(force.strength));
+        return (others <= V(0)) & (dot(problem_.gravity, problem_.gravity) > V(0));
+    }
+
+    // The turns of the state.
     HWY_INLINE void load() {
         nodes_[0].state = problem_.clamp;
         for (std::size_t j = 1; j <= segments_; ++j) {
             eachNumber(nodes_[j].state, [&](V& x, std::size_t which) HWY_ATTR {
-                x = gather<V>([&](std::size_t l) { return turn(place(l), j, which); });
+                x = stored(j, which);
             });
         }
     }
 
-    HWY_INLINE void store() {
+    // The turns of some lanes.
+    HWY_INLINE void store(MaskOf<V> some) {
         alignas(64) ScalarOf<V> lane[width];
+        alignas(64) ScalarOf<V> wanted[width];
+        storeMask(some, wanted);
         for (std::size_t j = 1; j <= segments_; ++j) {
             eachNumber(nodes_[j].state, [&](V& x, std::size_t which) HWY_ATTR {
+                if constexpr (std::is_same_v<ScalarOf<V>, float>) {
+                    if (abreast_) {
+                        storeLanes(any(!some) ? select(some, x, stored(j, which)) : x,
+                                   &turn(places_[0], j, which));
+                        return;
+                    }
+                }
                 storeLanes(x, lane);
                 for (std::size_t l = 0; l < lanes(); ++l)
-                    turn(places_[l], j, which) = static_cast<float>(lane[l]);
+                    if (wanted[l] != 0) turn(places_[l], j, which) = static_cast<float>(lane[l]);
             });
         }
     }
 
-    // Nodes, residuals and what has settled, to where they are wanted.
-    HWY_INLINE void write(const Progress<V>& at) {
-        alignas(64) ScalarOf<V> lane[3][width];
+    // Nodes, residuals and what has settled, to where they are wanted, of some lanes.
+    HWY_INLINE void write(const Progress<V>& at, MaskOf<V> some) {
+        alignas(64) ScalarOf<V> lane[2][width];
+        alignas(64) ScalarOf<V> wanted[width];
         storeLanes(at.residual, lane[0]);
         storeMask(at.settled, lane[1]);
+        storeMask(some, wanted);
+        const std::span<ScalarOf<V>> places = placeRoom_.items();
+        for (std::size_t j = 0; j <= segments_; ++j) {
+            ScalarOf<V>* to = &places[3 * j * width];
+            for (int axis = 0; axis < 3; ++axis, to += width)
+                storeLanes(nodes_[j].position[axis], to);
+        }
         for (std::size_t l = 0; l < lanes(); ++l) {
+            if (wanted[l] == 0) continue;
             const std::uint32_t strand = batch_.strands[places_[l]];
             batch_.residuals[strand] = static_cast<float>(lane[0][l]);
             batch_.states[strand] = lane[1][l] != 0 ? 1 : 0;
-        }
-        std::array<Vec3f*, width> out;
-        for (std::size_t l = 0; l < lanes(); ++l)
-            out[l] = &batch_.nodes[batch_.rods->firstNode(batch_.strands[places_[l]])];
-        for (std::size_t j = 0; j <= segments_; ++j) {
-            for (int axis = 0; axis < 3; ++axis)
-                storeLanes(nodes_[j].position[axis], lane[axis]);
-            for (std::size_t l = 0; l < lanes(); ++l) {
-                out[l][j] = {static_cast<float>(lane[0][l]), static_cast<float>(lane[1][l]),
-                             static_cast<float>(lane[2][l])};
+            Vec3f* out = &batch_.nodes[batch_.rods->firstNode(strand)];
+            for (std::size_t j = 0; j <= segments_; ++j) {
+                const ScalarOf<V>* from = &places[3 * j * width + l];
+                out[j] = {static_cast<float>(from[0]), static_cast<float>(from[width]),
+                          static_cast<float>(from[2 * width])};
             }
         }
     }
@@ -242,12 +268,24 @@ public:
         }
     }
 
+    // The least distance from the collider to a node but the root.
+    HWY_INLINE V nearest() const {
+        V distance(1);
+        for (std::size_t j = 1; j <= segments_; ++j)
+            distance = least(distance, ellipsoid_.distance(nodes_[j].position));
+        return distance;
+    }
+
+    // Lanes that the collider does not push.
+    HWY_INLINE MaskOf<V> clear() const {
+        if (problem_.support.collider == nullptr) return V(0) < V(1);
+        return nearest() >= problem_.support.skin;
+    }
+
     // Strands in which a node lies inside the collider; their supports begin farther out from now
     // on. (Stiffer ones would keep nodes out as well, but many a curl would never come to rest.)
     HWY_INLINE MaskOf<V> pushedOut() {
-        V deepest(1);
-        for (std::size_t j = 1; j <= segments_; ++j)
-            deepest = least(deepest, ellipsoid_.distance(nodes_[j].position));
+        const V deepest = nearest();
         const MaskOf<V> inside = deepest < number<V>(-contactDepth);
         V& skin = problem_.support.skin;
         skin = select(inside, skin - V(1.2F) * deepest + number<V>(contactDepth), skin);
@@ -286,8 +324,15 @@ private:
         return places_[std::min(lane, places_.size() - 1)];
     }
 
+    HWY_INLINE V stored(std::size_t node, std::size_t which) const {
+        if constexpr (std::is_same_v<ScalarOf<V>, float>) {
+            if (abreast_) return loadLanes(&turn(places_[0], node, which), V());
+        }
+        return gather<V>([&](std::size_t l) { return turn(place(l), node, which); });
+    }
+
     float& turn(std::uint32_t strandPlace, std::size_t node, std::size_t which) const {
-        return batch_.turns[(strandPlace * segments_ + node - 1) * numbers + which];
+        return batch_.turns[turnIndex(strandPlace, segments_, numbers, node, which)];
     }
 
     void takeForces(V longest) {
@@ -317,10 +362,8 @@ private:
     HWY_INLINE static V3<V> helixChord(const V3<V>& rest, V length) {
         const V s = dot(rest, rest);
         const MaskOf<V> gentle = s < V(1e-2F);
-        alignas(64) ScalarOf<V> x[width];
-        storeLanes(squareRoot(s), x);
-        const V sine = gather<V>([&](std::size_t l) { return std::sin(0.5 * x[l]); });
         const V half = V(0.5F) * squareRoot(s);
+        const V sine = sineCosineOfTwice(V(0.5F) * half).sine;
         const V alpha =
             select(gentle, V(1) - s * number<V>(1.0 / 24) + s * s * number<V>(1.0 / 1920),
                    sine / most(half, V(1e-6F)));
@@ -332,22 +375,22 @@ private:
 
     // The frame at the far end of an unloaded segment: turned by its rest strain.
     HWY_INLINE static auto carried(const typename Element::State& from, const V3<V>& rest) {
-        alignas(64) ScalarOf<V> x[width];
-        storeLanes(squareRoot(dot(rest, rest)), x);
-        const V cosine = gather<V>([&](std::size_t l) { return std::cos(0.5 * x[l]); });
-        const V ratio = gather<V>(
-            [&](std::size_t l) { return x[l] < 1e-4 ? 0.5 : std::sin(0.5 * x[l]) / x[l]; });
+        const V size = squareRoot(dot(rest, rest));
+        const auto [sine, cosine] = sineCosineOfTwice(V(0.25F) * size);
+        const V ratio = select(size < V(1e-4F), V(0.5F), sine / most(size, V(1e-6F)));
         return unitQuaternion(product(from, Quaternion<V>{cosine, ratio * rest}));
     }
 
     const StrandBatch& batch_;
     std::size_t segments_;
     std::span<const std::uint32_t> places_;
+    bool abreast_ = false;  // whether their turns lie side by side
     Problem<V, Element> problem_;
     Room<typename Element::Segment> elementRoom_;
     Room<Node<V, Element>> nodeRoom_;
     Room<Contact<V, Element>> contactRoom_;
     Room<BoxForce<V>> forceRoom_;
+    Room<ScalarOf<V>> placeRoom_;
     std::span<typename Element::Segment> elements_;
     std::span<Node<V, Element>> nodes_;
     std::span<Contact<V, Element>> contacts_;

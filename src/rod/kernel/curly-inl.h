@@ -91,6 +91,7 @@ struct Curly {
         return V(2) * select(r.w < V(0), number<V>(std::numbers::pi) - half, half);
     }
 
+    template <Order order>
     HWY_INLINE static Derivatives<V, 3> derive(const Segment& segment, const State& a,
                                                const State& b, const V3<V>& force,
                                                bool withChords) {
@@ -99,82 +100,136 @@ struct Curly {
         const V s = least(dot(v, v), V(0.999999F));
 
         // h(s) = asin(sqrt(s)) / sqrt(s) and its first two derivatives.
-        const V size = squareRoot(most(s, V(1e-12F)));
         const V near = arcsineRatio(s);
-        const V h = select(r.w < V(0), number<V>(std::numbers::pi) / size - near, near);
-        const V w = withSignOf(most(squareRoot(V(1) - s), V(1e-4F)), r.w);
+        const MaskOf<V> wide = r.w < V(0);
+        const V h =
+            any(wide) ? select(wide,
+                               number<V>(std::numbers::pi) * inverseRoot(most(s, V(1e-12F))) - near,
+                               near)
+                      : near;
+        const V inverseW = withSignOf(inverseRoot(most(V(1) - s, V(1e-8F))), r.w);
         const MaskOf<V> small = (s < V(0.03F)) & (r.w > V(0));
-        const V safe = most(s, V(1e-6F));
+        const V safe = V(0.5F) * reciprocal(most(s, V(1e-6F)));
         const V h1 = select(
             small,
             number<V>(1.0 / 6) + s * (number<V>(0.15) + s * (number<V>(15.0 / 112) +
                                                              s * (number<V>(35.0 / 288) +
                                                                   s * number<V>(315.0 / 2816)))),
-            (V(1) / w - h) / (V(2) * safe));
+            (inverseW - h) * safe);
+
+        // Strains times d, and moments.
+        const V3<V> gap = (V(2) * h) * v - segment.rest;
+        const V3<V> moment = {segment.bend * gap[0], segment.bend * gap[1], segment.twist * gap[2]};
+        const V mv = dot(moment, v);
+        const V3<V> n = V(2) * (h * moment + (V(2) * h1 * mv) * v);
+
+        // The load on the chord. |a + b|^2 = 2 (1 + w).
+        const V half = V(1) + r.w;
+        const V root = inverseRoot(most(half, V(1e-6F)));
+        const V scale = number<V>(std::numbers::sqrt2 / 2) * root;
+        const Matrix<V, 3, 3> frame =
+            rotation(Quaternion<V>{scale * (a.w + b.w), scale * (a.v + b.v)});
+        const V3<V> f = transposed(frame) * force;
+        const V3<V>& chord = segment.chord;
+        const V3<V> g = cross(f, chord);
+        const V3<V> tau = (root * root) * v;
+        const V3<V> turn = cross(g, tau);
+
+        // (w + [v]x) / 2 carries a rotation of b into v, its transpose one of a, negated; half of
+        // 1 + [tau]x one of a into the middle frame, its transpose one of b.
+        Derivatives<V, 3> d;
+        const V3<V> p = g - turn;
+        const V3<V> q = g + turn;
+        const V3<V> vn = cross(v, n);
+        d.gb = V(0.5F) * (r.w * n - vn + q);
+        d.ga = V(0.5F) * (p - r.w * n - vn);
+        if constexpr (order == Order::Gradient) return d;
+
         const V h2 = select(
             small,
             number<V>(0.15) + s * (number<V>(15.0 / 56) +
                                    s * (number<V>(35.0 / 96) +
                                         s * (number<V>(315.0 / 704) + s * number<V>(0.52246094)))),
-            (V(1) / (V(2) * w * w * w) - V(3) * h1) / (V(2) * safe));
+            (V(0.5F) * inverseW * inverseW * inverseW - V(3) * h1) * safe);
+        // 4 J K J, with J = h + 2 h1 v v', and what the moment adds.
+        const V3<V> kv = {segment.bend * v[0], segment.bend * v[1], segment.twist * v[2]};
+        const V3<V> u = (V(8) * h * h1) * kv + (V(4) * h1) * moment +
+                        (V(8) * h1 * h1 * dot(v, kv) + V(4) * h2 * mv) * v;
+        Matrix<V, 3, 3> hv = symmetricOuter(u, v);
+        const V hh = V(4) * h * h;
+        const V around = V(4) * h1 * mv;
+        hv(0, 0) += hh * segment.bend + around;
+        hv(1, 1) += hh * segment.bend + around;
+        hv(2, 2) += hh * segment.twist + around;
+        const auto bent = aboutBoth(V(0.5F) * r.w, V(0.5F) * v, hv);
 
-        // Strains times d, and moments.
-        const V3<V> strain = (V(2) * h) * v;
-        const V3<V> gap = strain - segment.rest;
-        const V3<V> moment = {segment.bend * gap[0], segment.bend * gap[1], segment.twist * gap[2]};
-        const V mv = dot(moment, v);
-        const V3<V> n = V(2) * (h * moment + (V(2) * h1 * mv) * v);
-        Matrix<V, 3, 3> jacobian = diagonal<3>(h) + (V(2) * h1) * outer(v, v);
-        Matrix<V, 3, 3> scaled = jacobian;
-        for (int c = 0; c < 3; ++c) {
-            scaled(0, c) = segment.bend * jacobian(0, c);
-            scaled(1, c) = segment.bend * jacobian(1, c);
-            scaled(2, c) = segment.twist * jacobian(2, c);
-        }
-        const Matrix<V, 3, 3> hv = V(4) * (jacobian * scaled) +
-                                   (V(4) * h1) * (outer(moment, v) + outer(v, moment)) +
-                                   diagonal<3>(V(4) * h1 * mv) + (V(8) * h2 * mv) * outer(v, v);
+        Matrix<V, 3, 3> hm = V(-0.5F) * symmetricOuter(f, chord);
+        const V along = dot(f, chord);
+        for (int i = 0; i < 3; ++i)
+            hm(i, i) += along;
+        const auto carried = aboutBoth(V(0.5F), V(0.5F) * tau, hm);
 
-        // c = (w + [v]x) / 2 carries a rotation of b into v, its transpose one of a, negated.
-        const Matrix<V, 3, 3> cv = V(0.5F) * (diagonal<3>(r.w) + crossMatrix(v));
-        const Matrix<V, 3, 3> cvt = transposed(cv);
         const V nv = V(0.25F) * dot(n, v);
-        Derivatives<V, 3> d;
-        d.gb = cvt * n;
-        d.ga = V(-1) * (cv * n);
-        d.hbb = cvt * hv * cv - diagonal<3>(nv);
-        d.haa = cv * hv * cvt - diagonal<3>(nv);
-        d.hab = V(0.25F) * (outer(v, n) + outer(n, v) + r.w * crossMatrix(n)) - diagonal<3>(nv) -
-                cv * hv * cv;
-
-        // The load on the chord.
-        const Matrix<V, 3, 3> frame = rotation(middle(a, b));
-        const V3<V> f = transposed(frame) * force;
-        const V3<V>& chord = segment.chord;
-        const V3<V> g = cross(f, chord);
-        const Matrix<V, 3, 3> hm =
-            diagonal<3>(dot(f, chord)) - V(0.5F) * (outer(chord, f) + outer(f, chord));
-        const V half = V(1) + r.w;
-        const V3<V> tau = (V(1) / select(magnitude(half) > V(1e-6F), half, V(1e-6F))) * v;
-        const Matrix<V, 3, 3> dm = V(0.5F) * (diagonal<3>(V(1)) + crossMatrix(tau));
-        const Matrix<V, 3, 3> dmt = transposed(dm);
-        const V3<V> turn = cross(g, tau);
-        const V3<V> p = g - turn;
-        const V3<V> q = g + turn;
         const V gt = V(0.25F) * dot(g, tau);
-        d.gb = d.gb + dmt * g;
-        d.ga = d.ga + dm * g;
-        d.hbb =
-            d.hbb + dmt * hm * dm - diagonal<3>(gt) + V(0.125F) * (outer(q, tau) + outer(tau, q));
-        d.haa =
-            d.haa + dm * hm * dmt + diagonal<3>(gt) - V(0.125F) * (outer(p, tau) + outer(tau, p));
-        d.hab = d.hab + dm * hm * dm - V(0.125F) * (outer(tau, q) - outer(p, tau));
+        d.hbb = bent.minus + carried.minus + V(0.125F) * symmetricOuter(q, tau);
+        d.haa = bent.plus + carried.plus - V(0.125F) * symmetricOuter(p, tau);
+        d.hab = carried.across - bent.across +
+                V(0.25F) * (symmetricOuter(v, n) + r.w * crossMatrix(n)) -
+                V(0.125F) * (outer(tau, q) - outer(p, tau));
+        for (int i = 0; i < 3; ++i) {
+            d.hbb(i, i) -= nv + gt;
+            d.haa(i, i) -= nv - gt;
+            d.hab(i, i) -= nv;
+        }
         if (withChords) {
-            const Matrix<V, 3, 3> moves = V(-1) * (frame * crossMatrix(chord));
-            d.a = moves * dmt;
-            d.b = moves * dm;
+            const Matrix<V, 3, 3> moves = V(-0.5F) * (frame * crossMatrix(chord));
+            const Matrix<V, 3, 3> twisted = moves * crossMatrix(tau);
+            d.a = moves - twisted;
+            d.b = moves + twisted;
         }
         return d;
+    }
+
+private:
+    // p q' + q p'.
+    HWY_INLINE static Matrix<V, 3, 3> symmetricOuter(const V3<V>& p, const V3<V>& q) {
+        Matrix<V, 3, 3> sum;
+        for (int r = 0; r < 3; ++r)
+            for (int c = r; c < 3; ++c)
+                sum(r, c) = sum(c, r) = p[r] * q[c] + q[r] * p[c];
+        return sum;
+    }
+
+    // With a matrix of s + [x]x and one of s - [x]x, and H = H' between them.
+    struct Congruence {
+        Matrix<V, 3, 3> minus;   // (s - [x]x) H (s + [x]x)
+        Matrix<V, 3, 3> plus;    // (s + [x]x) H (s - [x]x)
+        Matrix<V, 3, 3> across;  // (s + [x]x) H (s + [x]x)
+    };
+
+    HWY_INLINE static Congruence aboutBoth(V s, const V3<V>& x, const Matrix<V, 3, 3>& h) {
+        Matrix<V, 3, 3> xh;  // [x]x H; its transpose is -H [x]x
+        for (int c = 0; c < 3; ++c) {
+            const V3<V> column = cross(x, V3<V>{h(0, c), h(1, c), h(2, c)});
+            for (int r = 0; r < 3; ++r)
+                xh(r, c) = column[r];
+        }
+        const V ss = s * s;
+        Congruence all;
+        for (int r = 0; r < 3; ++r) {
+            const V3<V> xhx = cross(V3<V>{xh(r, 0), xh(r, 1), xh(r, 2)}, x);
+            for (int c = r; c < 3; ++c) {
+                const V even = ss * h(r, c) - xhx[c];
+                const V odd = s * (xh(r, c) + xh(c, r));
+                all.minus(r, c) = all.minus(c, r) = even - odd;
+                all.plus(r, c) = all.plus(c, r) = even + odd;
+                const V straight = ss * h(r, c) + xhx[c];
+                const V skew = s * (xh(r, c) - xh(c, r));
+                all.across(r, c) = straight + skew;
+                all.across(c, r) = straight - skew;
+            }
+        }
+        return all;
     }
 };
 

@@ -107,10 +107,10 @@ HWY_INLINE Lanes withSignOf(Lanes size, Lanes sign) {
     return Lanes(hn::CopySign(size.v, sign.v));
 }
 HWY_INLINE Lanes loadLanes(const float* from, Lanes /*kind*/) {
-    return Lanes(hn::Load(Lanes::Tag(), from));
+    return Lanes(hn::LoadU(Lanes::Tag(), from));
 }
 HWY_INLINE void storeLanes(Lanes x, float* to) {
-    hn::Store(x.v, Lanes::Tag(), to);
+    hn::StoreU(x.v, Lanes::Tag(), to);
 }
 HWY_INLINE void storeMask(LaneMask which, float* to) {
     storeLanes(select(which, Lanes(1), Lanes(0)), to);
@@ -217,6 +217,29 @@ HWY_INLINE Lanes arcsineRatio(Lanes s) {
 HWY_INLINE double arcsineRatio(double s) {
     const double x = std::sqrt(s);
     return x < 1e-4 ? 1 + s / 6 : std::asin(std::min(x, 1.0)) / x;
+}
+
+template <class V>
+struct SineCosine {
+    V sine, cosine;
+};
+
+// Of 2 x, for x in [-pi/2, pi/2]; to a few ulp of a float.
+template <class V>
+HWY_INLINE SineCosine<V> sineCosineOfTwice(V x) {
+    const V xx = x * x;
+    V s = number<V>(-1.0 / 39916800) * xx + number<V>(1.0 / 362880);
+    s = s * xx - number<V>(1.0 / 5040);
+    s = s * xx + number<V>(1.0 / 120);
+    s = s * xx - number<V>(1.0 / 6);
+    s = s * xx * x + x;
+    V c = number<V>(1.0 / 479001600) * xx - number<V>(1.0 / 3628800);
+    c = c * xx + number<V>(1.0 / 40320);
+    c = c * xx - number<V>(1.0 / 720);
+    c = c * xx + number<V>(1.0 / 24);
+    c = c * xx - V(0.5F);
+    c = c * xx + V(1);
+    return {V(2) * s * c, V(1) - V(2) * s * s};
 }
 
 }  // namespace kushi::HWY_NAMESPACE

@@ -105,10 +105,16 @@ public:
         V last(1e30F);     // residual before the last step
         V allowed(1e30F);  // residual above which the step is taken back
         MaskOf<V> moved = at.settled;
+        MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
         V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
         for (int step = 0;; ++step) {
             load(at.share);
             const V before = at.residual;
+            if (any(closing) && !any(!(closing | at.settled))) {
+                at.residual = imbalance(at.share);
+                at.settled = at.settled | (at.residual <= number<V>(options.tolerance));
+                if (!any(!at.settled)) return;
+            }
             eliminate(at);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
@@ -123,6 +129,7 @@ public:
 
             const MaskOf<V> go = (!at.settled) & at.stable & good;
             const MaskOf<V> back = (!at.settled) & !good;
+            closing = go & (at.share >= V(1)) & (at.shift <= V(0)) & (at.residual <= V(3e-3F));
             at.residual = select(good, at.residual, before);
             if (!contacts_.empty()) {
                 const MaskOf<V> slow =
@@ -246,6 +253,26 @@ private:
         return scale * select(go, reach, V(0));
     }
 
+    // The residual alone.
+    HWY_INLINE V imbalance(V share) const {
+        V3<V> beyond = share * problem_.tipLoad;
+        V worst(0);
+        Column<V, m> carried = zeros<m>();
+        for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
+            const Row& node = nodes_[j];
+            if (stiff_) beyond = beyond + contacts_[j].push;
+            const auto d = Element::template derive<Order::Gradient>(
+                problem_.elements[j - 1], nodes_[j - 1].state, node.state,
+                beyond + V(0.5F) * node.load, false);
+            beyond = beyond + node.load;
+            const Column<V, m> gradient = d.gb + carried;
+            for (int r = 0; r < m; ++r)
+                worst = most(worst, magnitude(gradient[r]));
+            carried = d.ga;
+        }
+        return worst * reciprocal(problem_.momentScale);
+    }
+
     // Tip to root: moments, residual, and the elimination of each node's rotation.
     HWY_INLINE void eliminate(Progress<V>& at) {
         const V least = V(1e-6F) * problem_.elements[0].bend;
@@ -262,7 +289,7 @@ private:
             Row& node = nodes_[j];
             const bool coupled = stiff_ && (firstFree_ < nodes_.size() || contacts_[j].stiff);
             if (stiff_) beyond = beyond + contacts_[j].push;
-            const auto d = Element::derive(problem_.elements[j - 1], nodes_[j - 1].state,
+            const auto d = Element::template derive<Order::Hessian>(problem_.elements[j - 1], nodes_[j - 1].state,
                                            node.state, beyond + V(0.5F) * node.load, coupled);
             beyond = beyond + node.load;
             const Column<V, m> gradient = d.gb + carried;

@@ -15,8 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
 
-// Energy, gradient and Hessian of one segment in the rotations alpha and beta of its two nodes, and
-// how its chord moves with them.
+// How far to differentiate.
+enum class Order { Gradient, Hessian };
+
+// Gradient and Hessian of the energy of one segment in the rotations alpha and beta of its two
+// nodes, and how its chord moves with them.
 template <class V, int Freedoms>
 struct Derivatives {
     Column<V, Freedoms> ga, gb;
@@ -73,6 +76,7 @@ struct Straight {
     }
 
     // force  what the segment carries at its end [N]
+    template <Order order>
     HWY_INLINE static Derivatives<V, 2> derive(const Segment& segment, const State& a,
                                                const State& b, const V3<V>& force,
                                                bool withChords) {
@@ -84,7 +88,6 @@ struct Straight {
         const Column<V, 2> ba = eat * b;
         const Column<V, 2> fa = eat * force;
         const Column<V, 2> fb = ebt * force;
-        const Matrix<V, 2, 2> ee = eat * eb;
 
         // theta by half of its sine, exact for small angles; r = theta / sin(theta).
         const V3<V> gap = b - a;
@@ -93,7 +96,6 @@ struct Straight {
         const V rest = V(1) - s;
         const V root = inverseRoot(rest);
         const V r = arcsineRatio(s) * root;
-        const V q = curvatureRatio(s, r * c, rest);
 
         // d / |a + b| and 1 / |a + b|^2.
         const V p = segment.length * V(0.5F) * root;
@@ -106,7 +108,10 @@ struct Straight {
         Derivatives<V, 2> d;
         d.ga = (pull - k * r) * ba - p * fa;
         d.gb = (pull - k * r) * ab - p * fb;
+        if constexpr (order == Order::Gradient) return d;
 
+        const V q = curvatureRatio(s, r * c, rest);
+        const Matrix<V, 2, 2> ee = eat * eb;
         const V twice = k * q - V(3) * pull * i2;
         const V pi = p * i2;
         const V common = k * r * c - pull * c;

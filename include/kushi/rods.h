@@ -62,6 +62,7 @@ struct RodWorld {
 /// How the last settling ended: where the next begins. Only settleRods() knows what is in it.
 struct RestState {
     std::vector<float> turns;
+    std::vector<std::uint8_t> renewed;
     std::uint64_t layout = 0;
 };
 

@@ -92,56 +92,104 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
     }
 }
 
+struct Pass {
+    int steps;
+    double worse, curvature;
+};
+
 // A few steps for all; those that need more are put together and go on. What is quick for most is
 // not for all, so that they go on in other ways as well.
-template <class Element>
-void settleAll(const StrandBatch& batch) {
-    Block<Lanes, Element> block(batch);
-    Left some;
-    for (std::uint32_t i = 0; i < batch.strands.size(); ++i)
-        some.places.push_back(i);
+constexpr Pass passes[] = {{6, 100, 0.02}, {12, 100, 0.02}, {40, 100, 0.02}, {60, 10, 0.02},
+                           {60, 100, 1}};
 
-    if constexpr (Element::freedoms == 2) {
-        if (batch.rods->starts.empty()) {
-            const Room<Hanging<Lanes>::Node> room(block.nodes().size());
-            Left left;
-            const std::span<const std::uint32_t> places = some.places;
-            for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
-                hang(block, room.items(),
-                     places.subspan(from, std::min(Lanes::count, places.size() - from)),
-                     batch.tolerance, left);
+template <class Element>
+class Settling {
+public:
+    explicit Settling(const StrandBatch& batch) : batch_(batch), block_(batch) {
+        for (std::uint32_t i = 0; i < batch.strands.size(); ++i)
+            left_.places.push_back(i);
+    }
+
+    void run() {
+        const bool given = !batch_.rods->starts.empty();
+        if constexpr (Element::freedoms == 2) {
+            if (!given) hangAll();
+        }
+        Start start = given ? Start::Given : Start::Cold;
+        if (batch_.warm) {
+            const Left before = given ? Left() : takeRenewed();
+            pass({4, 100, 0.02}, Start::Warm);
+            if (given) {
+                start = Start::Further;
+            } else {
+                renew(before);
             }
-            some = std::move(left);
+        }
+        for (const Pass& one : passes) {
+            pass(one, start);
+            start = Start::Further;
         }
     }
 
-    NewtonOptions options;
-    options.tolerance = batch.tolerance;
-    Start start = batch.warm                   ? Start::Warm
-                  : batch.rods->starts.empty() ? Start::Cold
-                                               : Start::Given;
-    struct Pass {
-        int steps;
-        double worse, curvature;
-    };
-    for (const Pass& pass : {Pass{batch.warm ? 3 : 6, 100, 0.02}, Pass{12, 100, 0.02},
-                             Pass{40, 100, 0.02}, Pass{60, 10, 0.02}, Pass{60, 100, 1}}) {
-        options.maxSteps = pass.steps;
-        options.worse = pass.worse;
-        options.curvature = pass.curvature;
+private:
+    void hangAll() {
+        const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
         Left left;
-        for (std::size_t from = 0; from < some.places.size(); from += Lanes::count)
-            settleSome(block, some, from, start, options, left);
-        some = std::move(left);
-        start = Start::Further;
+        const std::span<const std::uint32_t> places = left_.places;
+        for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
+            hang(block_, room.items(),
+                 places.subspan(from, std::min(Lanes::count, places.size() - from)),
+                 batch_.tolerance, left);
+        }
+        left_ = std::move(left);
     }
-}
+
+    // Takes from `left_` those that began anew before.
+    Left takeRenewed() {
+        Left warm;
+        Left renewed;
+        for (const std::uint32_t place : left_.places) {
+            const bool again = batch_.renewed[batch_.strands[place]] != 0;
+            (again ? renewed : warm).places.push_back(place);
+        }
+        warm.shares.resize(warm.places.size());
+        left_ = std::move(warm);
+        return renewed;
+    }
+
+    // The rest from before may be gone, and where a strand goes from there need not be where
+    // growing loads would take it, nor is it there when the loads come back. So what a warm solve
+    // does not bring to rest begins anew, now and from now on, and ends where a cold solve would.
+    void renew(const Left& before) {
+        for (const std::uint32_t place : left_.places)
+            batch_.renewed[batch_.strands[place]] = 1;
+        left_.places.insert(left_.places.end(), before.places.begin(), before.places.end());
+        std::ranges::sort(left_.places);
+        left_.shares.assign(left_.places.size(), 1);
+    }
+
+    void pass(const Pass& one, Start start) {
+        NewtonOptions options;
+        options.tolerance = batch_.tolerance;
+        options.maxSteps = one.steps;
+        options.worse = one.worse;
+        options.curvature = one.curvature;
+        Left left;
+        for (std::size_t from = 0; from < left_.places.size(); from += Lanes::count)
+            settleSome(block_, left_, from, start, options, left);
+        left_ = std::move(left);
+    }
+
+    const StrandBatch& batch_;
+    Block<Lanes, Element> block_;
+    Left left_;
+};
 
 void settleLanesHere(const StrandBatch& batch) {
     if (batch.rods->naturalCurvature.empty()) {
-        settleAll<Straight<Lanes>>(batch);
+        Settling<Straight<Lanes>>(batch).run();
     } else {
-        settleAll<Curly<Lanes>>(batch);
+        Settling<Curly<Lanes>>(batch).run();
     }
 }
 

@@ -78,6 +78,7 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
     const std::uint64_t layout = layoutOf(rods);
     const bool warm = options.warm && state.layout == layout;
     state.layout = layout;
+    if (!warm) state.renewed.assign(rods.size(), 0);
     state.turns.resize(batches.empty() ? 0 : batches.back().firstTurn + batches.back().turns);
 
     std::vector<std::uint32_t> refined(batches.size());
@@ -96,6 +97,7 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         batch.strands = std::span(order).subspan(one.first, one.size);
         batch.turns = std::span(state.turns).subspan(one.firstTurn, one.turns);
         batch.warm = warm;
+        batch.renewed = state.renewed;
         batch.tolerance = options.tolerance;
         batch.nodes = nodes;
         batch.residuals = report.residuals;

@@ -15,6 +15,8 @@ struct StrandBatch {
     std::span<const std::uint32_t> strands;
     std::span<float> turns;  ///< turnsSize() of them, at turnIndex()
     bool warm = false;
+    /// Of all rods: 1 where a warm solve began anew, which from then on all do; cold ones reset it.
+    std::span<std::uint8_t> renewed;
     double tolerance = 1e-5;
 
     std::span<Vec3f> nodes;          ///< of all rods

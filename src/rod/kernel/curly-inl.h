@@ -173,9 +173,15 @@ struct Curly {
         const V gt = V(0.25F) * dot(g, tau);
         d.hbb = bent.minus + carried.minus + V(0.125F) * symmetricOuter(q, tau);
         d.haa = bent.plus + carried.plus - V(0.125F) * symmetricOuter(p, tau);
-        d.hab = carried.across - bent.across +
-                V(0.25F) * (symmetricOuter(v, n) + r.w * crossMatrix(n)) -
+        d.hab = carried.across - bent.across + V(0.25F) * symmetricOuter(v, n) -
                 V(0.125F) * (outer(tau, q) - outer(p, tau));
+        const V3<V> wn = (V(0.25F) * r.w) * n;
+        d.hab(2, 1) += wn[0];
+        d.hab(1, 2) -= wn[0];
+        d.hab(0, 2) += wn[1];
+        d.hab(2, 0) -= wn[1];
+        d.hab(1, 0) += wn[2];
+        d.hab(0, 1) -= wn[2];
         for (int i = 0; i < 3; ++i) {
             d.hbb(i, i) -= nv + gt;
             d.haa(i, i) -= nv - gt;

@@ -161,8 +161,7 @@ private:
         std::vector<float> residuals(rods.size());
         std::vector<std::uint8_t> settled(rods.size());
         std::vector<std::uint32_t> strands(referenceStrands);
-        std::vector<float> turns(
-            turnsSize(referenceStrands, rods.segments(0), turnsPerNode(rods)));
+        std::vector<float> turns(turnsSize(referenceStrands, rods.segments(0), turnsPerNode(rods)));
         for (std::size_t k = 0; k < strands.size(); ++k)
             strands[k] = static_cast<std::uint32_t>(k * rods.size() / strands.size());
         StrandBatch batch;

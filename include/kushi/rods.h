@@ -49,6 +49,13 @@ struct Rods {
     std::size_t nodeCount() const { return offsets.back() + size(); }
 };
 
+/// A node that is held at a point, as by a band around many hairs. It may turn there.
+struct Tie {
+    std::uint32_t strand = 0;
+    std::uint32_t node = 0;  ///< of the strand, >= 1
+    Vec3f point;             ///< m
+};
+
 /// What acts on rods.
 struct RodWorld {
     Vec3d gravity = {0, -1, 0};  ///< times the earth's
@@ -57,12 +64,16 @@ struct RodWorld {
     std::span<const Force> forces = {};
     std::span<const float> rootShares = {};  ///< of each strand in each force, strand by strand
     const Ellipsoid* obstacle = nullptr;     ///< kept outside of; none if null
+    /// In the order of their strands. One that lies farther from the root than the hair between
+    /// can reach leaves its strand unsettled.
+    std::span<const Tie> ties = {};
 };
 
 /// How the last settling ended: where the next begins. Only settleRods() knows what is in it.
 struct RestState {
     std::vector<float> turns;
     std::vector<std::uint8_t> renewed;
+    std::vector<Vec3f> tieForces;
     std::uint64_t layout = 0;
 };
 
@@ -76,6 +87,7 @@ struct RestReport {
     std::vector<float> residuals;          ///< of each strand, over EI/L + w L^2/2
     std::vector<std::uint32_t> unsettled;  ///< strands that did not come to rest
     std::size_t refined = 0;               ///< strands that needed double precision
+    std::vector<Vec3f> tieForces;          ///< of each tie on its strand [N]
 };
 
 /// Brings rods to static rest: elastic, gravity, force and contact moments balance at every node.
@@ -83,9 +95,9 @@ struct RestReport {
 /// Each segment bends and twists between the frames of its two nodes and has a chord of fixed
 /// length, so length is kept exactly; its weight acts at its middle. Where there are several
 /// rests, a strand takes the one reached from its natural shape as the loads grow from zero, or the
-/// one near `starts`; one
-/// that stands upright falls to a side that its key chooses. The ellipsoid pushes from two
-/// millimetres above its surface, so that no node reaches it. docs/physics.md has it all.
+/// one near `starts`; one that stands upright falls to a side that its key chooses. The ellipsoid
+/// pushes from two millimetres above its surface, so that no node reaches it. Ties hold their nodes
+/// to a hundredth of a millimetre. docs/physics.md has it all.
 ///
 /// Straight rods without natural curvature do not twist and take a cheaper way.
 ///

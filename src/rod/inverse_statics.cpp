@@ -110,8 +110,8 @@ private:
             // The load's share of the gradient is all of it where there is no moment.
             auto segment = block_.problem().elements[j - 1];
             segment.rest = (2 * h) * v;
-            const auto d =
-                Curly<double>::derive<Order::Gradient>(segment, a, b, beyond + 0.5 * nodes[j].load, false);
+            const auto d = Curly<double>::derive<Order::Gradient>(
+                segment, a, b, beyond + 0.5 * nodes[j].load, false);
             beyond = beyond + nodes[j].load;
 
             // C'n = y with C = (w + [v]x) / 2, and n = 2 (h + 2 h1 vv') moment.

@@ -99,8 +99,8 @@ struct Pass {
 
 // A few steps for all; those that need more are put together and go on. What is quick for most is
 // not for all, so that they go on in other ways as well.
-constexpr Pass passes[] = {{6, 100, 0.02}, {12, 100, 0.02}, {40, 100, 0.02}, {60, 10, 0.02},
-                           {60, 100, 1}};
+constexpr Pass passes[] = {
+    {6, 100, 0.02}, {12, 100, 0.02}, {40, 100, 0.02}, {60, 10, 0.02}, {60, 100, 1}};
 
 template <class Element>
 class Settling {

@@ -52,6 +52,16 @@ std::vector<Batch> batchesOf(const Rods& rods, std::span<const std::uint32_t> or
     return batches;
 }
 
+// Of each rod's among those of all, and an end; none if there are none.
+std::vector<std::uint32_t> firstTies(std::size_t rods, std::span<const Tie> ties) {
+    if (ties.empty()) return {};
+    std::vector<std::uint32_t> first(rods + 1);
+    for (const Tie& tie : ties)
+        ++first[tie.strand + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
+}
+
 std::uint64_t layoutOf(const Rods& rods) {
     std::uint64_t layout = 0xcbf29ce484222325U ^ turnsPerNode(rods);
     for (const std::uint32_t offset : rods.offsets)
@@ -81,6 +91,10 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
     if (!warm) state.renewed.assign(rods.size(), 0);
     state.turns.resize(batches.empty() ? 0 : batches.back().firstTurn + batches.back().turns);
 
+    const std::vector<std::uint32_t> ties = firstTies(rods.size(), world.ties);
+    if (!warm || state.tieForces.size() != world.ties.size())
+        state.tieForces.assign(world.ties.size(), {});
+
     std::vector<std::uint32_t> refined(batches.size());
     parallelFor(batches.size(), 1, options.threads, [&](std::size_t begin, std::size_t /*end*/) {
         const Batch& one = batches[begin];
@@ -96,6 +110,8 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         batch.world = &world;
         batch.strands = std::span(order).subspan(one.first, one.size);
         batch.turns = std::span(state.turns).subspan(one.firstTurn, one.turns);
+        batch.firstTies = ties;
+        batch.tieForces = state.tieForces;
         batch.warm = warm;
         batch.renewed = state.renewed;
         batch.tolerance = options.tolerance;
@@ -110,6 +126,7 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         refined[begin] = left;
         settleReference(batch);
     });
+    report.tieForces = state.tieForces;
     report.refined = std::accumulate(refined.begin(), refined.end(), std::size_t{0});
     for (std::uint32_t i = 0; i < rods.size(); ++i) {
         if (settled[i] == 0) report.unsettled.push_back(i);

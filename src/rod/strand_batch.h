@@ -19,6 +19,10 @@ struct StrandBatch {
     std::span<std::uint8_t> renewed;
     double tolerance = 1e-5;
 
+    std::span<const std::uint32_t> firstTies;  ///< of each rod in the world's; one more than rods,
+                                               ///< or none if there are no ties
+    std::span<Vec3f> tieForces;                ///< of all ties [N]; begun from, then overwritten
+
     std::span<Vec3f> nodes;          ///< of all rods
     std::span<float> residuals;      ///< of all rods
     std::span<std::uint8_t> states;  ///< of all rods: 1 settled, 0 not
@@ -54,6 +58,13 @@ void settleReference(const StrandBatch& batch);
 
 /// Width of the skin over a collider in which hair is held: about what other hair takes up [m].
 inline constexpr double contactSkin = 2e-3;
+
+/// Of a tie's spring at first, over what bends and pulls the strand; it holds by its force in the
+/// end.
+inline constexpr double tieStiffness = 10;
+
+/// How far from its point a tied node may lie [m].
+inline constexpr double tieGap = 1e-5;
 
 /// Depth inside a collider from which a node does not count as held [m].
 inline constexpr double contactDepth = 5e-6;

@@ -127,7 +127,7 @@ TEST(RestElastica, TipLoadsAgreeWithTheContinuousRodToo) {
             node.state = {std::cos(clamp), std::sin(clamp), 0};
         const auto straight = nodes;
         const kernel::Problem<double, Element> problem = {
-            {0, 0, 0}, nodes[0].state,   segments, {0, -1, 0}, {0, -row.parameter, 0}, {},
+            {0, 0, 0}, nodes[0].state,   segments, {0, -1, 0}, {0, -row.parameter, 0}, {}, {},
             {},        1 + row.parameter};
         kernel::Newton<double, Element> newton(problem, nodes, {});
         kernel::Progress<double> at{};

@@ -100,7 +100,6 @@ TEST(RestThreads, GiveTheSameBytes) {
 
 // Gravity 5 % up and back. Two rests of a strand lie more than 1 % of its length apart.
 TEST(RestWarm, EndsInTheSameRestAsCold) {
-    int total = 0;
     for (const Shape shape : shapes) {
         const int count = 20000;
         const Rods rods = randomHairs(shape, count, 25);
@@ -115,14 +114,11 @@ TEST(RestWarm, EndsInTheSameRestAsCold) {
         int others = 0;
         for (std::size_t i = 0; i < rods.size(); ++i)
             others += rest::gap(rods, i, cold, warm) > 1e-2 ? 1 : 0;
-        total += others;
         RecordProperty("others" + std::to_string(static_cast<int>(shape)), others);
-        // Measured 0, 2, 60 and 13. A heavy curl may have a fold between the two loads; then the
-        // way back ends elsewhere, as that of the real one does.
-        const int most[] = {0, 4, 100, 40};
-        EXPECT_LE(others, most[static_cast<std::size_t>(shape)]) << static_cast<int>(shape);
+        // A heavy curl may have a fold between the two loads: then it begins anew. Measured none;
+        // 60 curls were elsewhere while warm solves went on from where they were.
+        EXPECT_LE(others, 2) << static_cast<int>(shape);
     }
-    EXPECT_LE(total, 120) << "of 80,000";
 }
 
 }  // namespace

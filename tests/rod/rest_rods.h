@@ -8,6 +8,7 @@
 
 #include <kushi/rods.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -63,6 +64,7 @@ struct Settled {
     std::vector<std::vector<float>> turns;  // of each strand, node by node
     std::vector<float> residuals;
     std::vector<std::uint8_t> states;
+    std::vector<Vec3f> tieForces;
 
     Vec3f tip(const Rods& rods, std::size_t strand) const {
         return nodes[rods.firstNode(strand) + rods.segments(strand)];
@@ -78,6 +80,11 @@ inline Settled settleBy(void (*kernel)(const StrandBatch&), const Rods& rods, co
     result.turns.resize(rods.size());
     result.residuals.resize(rods.size());
     result.states.resize(rods.size());
+    result.tieForces.resize(world.ties.size());
+    std::vector<std::uint32_t> firstTies(world.ties.empty() ? 0 : rods.size() + 1);
+    for (std::size_t i = 0; i < firstTies.size(); ++i)
+        firstTies[i] = static_cast<std::uint32_t>(
+            std::ranges::count_if(world.ties, [i](const Tie& tie) { return tie.strand < i; }));
     std::vector<std::uint32_t> strands(rods.size());
     for (std::size_t i = 0; i < rods.size(); ++i)
         strands[i] = static_cast<std::uint32_t>(i);
@@ -92,6 +99,8 @@ inline Settled settleBy(void (*kernel)(const StrandBatch&), const Rods& rods, co
         const std::size_t each = turnsPerNode(rods);
         std::vector<float> turns(turnsSize(end - i, rods.segments(i), each));
         batch.turns = turns;
+        batch.firstTies = firstTies;
+        batch.tieForces = result.tieForces;
         batch.tolerance = tolerance;
         batch.nodes = result.nodes;
         batch.residuals = result.residuals;

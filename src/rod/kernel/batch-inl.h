@@ -13,6 +13,7 @@
 #include "rod/strand_batch.h"
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -75,8 +76,11 @@ public:
           segments_(batch.rods->segments(batch.strands[0])),
           elementRoom_(segments_),
           nodeRoom_(segments_ + 1),
-          contactRoom_(
-              batch.world->obstacle != nullptr || !batch.world->forces.empty() ? segments_ + 1 : 0),
+          contactRoom_(batch.world->obstacle != nullptr || !batch.world->forces.empty() ||
+                               !batch.world->ties.empty()
+                           ? segments_ + 1
+                           : 0),
+          tieRoom_(batch.world->ties.empty() ? 0 : segments_),
           forceRoom_(batch.world->forces.size()),
           placeRoom_(3 * width * (segments_ + 1)),
           elements_(elementRoom_.items()),
@@ -162,6 +166,10 @@ public:
         problem_.support.stiffness =
             (V(4) * total * pull + bending / (length_ * length_)) * number<V>(1 / contactSkin);
         gamma_ = total * pull * length_ * length_ / bending;
+        takeTies(number<V>(tieStiffness) * (total * pull + bending / (length_ * length_)) /
+                 length_);
+        for (const LaneTie<V>& tie : ties_)
+            gamma_ += tie.stiffness * length_ * length_ * length_ / bending;
     }
 
     const Problem<V, Element>& problem() const { return problem_; }
@@ -176,6 +184,8 @@ public:
         V others(0);
         for (const BoxForce<V>& force : forces_)
             others = most(others, magnitude(force.strength));
+        for (const LaneTie<V>& tie : ties_)
+            others = most(others, tie.stiffness);
         return (others <= V(0)) & (dot(problem_.gravity, problem_.gravity) > V(0));
     }
 
@@ -183,9 +193,8 @@ public:
     HWY_INLINE void load() {
         nodes_[0].state = problem_.clamp;
         for (std::size_t j = 1; j <= segments_; ++j) {
-            eachNumber(nodes_[j].state, [&](V& x, std::size_t which) HWY_ATTR {
-                x = stored(j, which);
-            });
+            eachNumber(nodes_[j].state,
+                       [&](V& x, std::size_t which) HWY_ATTR { x = stored(j, which); });
         }
     }
 
@@ -217,6 +226,7 @@ public:
         storeLanes(at.residual, lane[0]);
         storeMask(at.settled, lane[1]);
         storeMask(some, wanted);
+        writeTies(wanted);
         const std::span<ScalarOf<V>> places = placeRoom_.items();
         for (std::size_t j = 0; j <= segments_; ++j) {
             ScalarOf<V>* to = &places[3 * j * width];
@@ -292,6 +302,20 @@ public:
         return inside;
     }
 
+    // Strands with a tied node that is not at its point. The ties of `some` have the force from now
+    // on that their springs had.
+    HWY_INLINE MaskOf<V> tightened(MaskOf<V> some) {
+        V widest(0);
+        for (LaneTie<V>& tie : ties_) {
+            const V3<V> gap = nodes_[tie.node].position - tie.point;
+            const MaskOf<V> tied = tie.stiffness > V(0);
+            widest = most(widest, select(tied, dot(gap, gap), V(0)));
+            tie.force = select<V, 3>(some, tie.force - tie.stiffness * gap, tie.force);
+            tie.stiffness = select(some, V(4) * tie.stiffness, tie.stiffness);
+        }
+        return widest > number<V>(tieGap * tieGap);
+    }
+
     // The key's choice of a side, in [-1, 1).
     HWY_INLINE V3<V> lean() const {
         const auto part = [&](std::uint64_t salt) {
@@ -333,6 +357,60 @@ private:
 
     float& turn(std::uint32_t strandPlace, std::size_t node, std::size_t which) const {
         return batch_.turns[turnIndex(strandPlace, segments_, numbers, node, which)];
+    }
+
+    // Those of a strand in a lane.
+    std::span<const Tie> tiesOf(std::size_t lane) const {
+        const std::uint32_t strand = batch_.strands[place(lane)];
+        const std::uint32_t first = batch_.firstTies[strand];
+        return batch_.world->ties.subspan(first, batch_.firstTies[strand + 1] - first);
+    }
+
+    // Place among all ties of that at a node of a lane's strand; none if there is none.
+    std::optional<std::size_t> tieAt(std::size_t lane, std::size_t node) const {
+        const std::span<const Tie> own = tiesOf(lane);
+        for (const Tie& tie : own)
+            if (tie.node == node) return static_cast<std::size_t>(&tie - batch_.world->ties.data());
+        return std::nullopt;
+    }
+
+    void takeTies(V stiffness) {
+        ties_ = {};
+        if (batch_.world->ties.empty()) return;
+        std::size_t count = 0;
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            std::optional<std::size_t> at[width];
+            bool found = false;
+            for (std::size_t l = 0; l < width; ++l) {
+                at[l] = tieAt(l, j);
+                found = found || at[l].has_value();
+            }
+            if (!found) continue;
+            LaneTie<V>& tie = tieRoom_.items()[count++];
+            tie.node = j;
+            tie.point = gatherVector<V>(
+                [&](std::size_t l) { return at[l] ? batch_.world->ties[*at[l]].point : Vec3f{}; });
+            tie.force = gatherVector<V>(
+                [&](std::size_t l) { return at[l] ? batch_.tieForces[*at[l]] : Vec3f{}; });
+            tie.stiffness = gather<V>([&](std::size_t l) { return at[l] ? 1 : 0; }) * stiffness;
+        }
+        ties_ = tieRoom_.items().first(count);
+        problem_.ties = ties_;
+    }
+
+    void writeTies(std::span<const ScalarOf<V>> wanted) {
+        alignas(64) ScalarOf<V> force[3][width];
+        for (const LaneTie<V>& tie : ties_) {
+            for (int axis = 0; axis < 3; ++axis)
+                storeLanes(tie.force[axis], force[axis]);
+            for (std::size_t l = 0; l < lanes(); ++l) {
+                const std::optional<std::size_t> at = tieAt(l, tie.node);
+                if (wanted[l] == 0 || !at) continue;
+                batch_.tieForces[*at] = {static_cast<float>(force[0][l]),
+                                         static_cast<float>(force[1][l]),
+                                         static_cast<float>(force[2][l])};
+            }
+        }
     }
 
     void takeForces(V longest) {
@@ -389,12 +467,14 @@ private:
     Room<typename Element::Segment> elementRoom_;
     Room<Node<V, Element>> nodeRoom_;
     Room<Contact<V, Element>> contactRoom_;
+    Room<LaneTie<V>> tieRoom_;
     Room<BoxForce<V>> forceRoom_;
     Room<ScalarOf<V>> placeRoom_;
     std::span<typename Element::Segment> elements_;
     std::span<Node<V, Element>> nodes_;
     std::span<Contact<V, Element>> contacts_;
     std::span<BoxForce<V>> forces_;
+    std::span<LaneTie<V>> ties_;
     LaneEllipsoid<V> ellipsoid_;
     V length_;
     V gamma_;
@@ -422,14 +502,16 @@ HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& optio
                             Progress<V>& at) {
     Newton<V, Element> newton(block.problem(), block.nodes(), block.contacts());
     V steps(0);
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < 12; ++round) {
         newton.run(options, at);
         newton.place();
         steps += at.steps;
-        if (block.problem().support.collider == nullptr) break;
-        const MaskOf<V> inside = at.settled & block.pushedOut();
-        if (!any(inside)) break;
-        at.settled = at.settled & !inside;
+        MaskOf<V> again = V(1) < V(0);
+        if (block.problem().support.collider != nullptr) again = again | block.pushedOut();
+        if (!block.problem().ties.empty()) again = again | block.tightened(at.settled);
+        again = again & at.settled;
+        if (!any(again)) break;
+        at.settled = at.settled & !again;
     }
     at.steps = steps;
 }

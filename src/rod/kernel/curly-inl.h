@@ -103,10 +103,10 @@ struct Curly {
         const V near = arcsineRatio(s);
         const MaskOf<V> wide = r.w < V(0);
         const V h =
-            any(wide) ? select(wide,
-                               number<V>(std::numbers::pi) * inverseRoot(most(s, V(1e-12F))) - near,
-                               near)
-                      : near;
+            any(wide)
+                ? select(wide, number<V>(std::numbers::pi) * inverseRoot(most(s, V(1e-12F))) - near,
+                         near)
+                : near;
         const V inverseW = withSignOf(inverseRoot(most(V(1) - s, V(1e-8F))), r.w);
         const MaskOf<V> small = (s < V(0.03F)) & (r.w > V(0));
         const V safe = V(0.5F) * reciprocal(most(s, V(1e-6F)));

@@ -121,6 +121,16 @@ struct Support {
     V stiffness;  // [N/m]
 };
 
+// A spring to a point, and the force that it had before it was last stretched (the method of
+// multipliers): what the tie pulls with in the end, with the spring at rest.
+template <class V>
+struct LaneTie {
+    std::size_t node;
+    V3<V> point;
+    V stiffness;  // [N/m]; 0 in lanes that are not tied here
+    V3<V> force;
+};
+
 }  // namespace kushi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

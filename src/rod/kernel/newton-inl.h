@@ -16,6 +16,7 @@
 #include "rod/kernel/curly-inl.h"
 #include "rod/kernel/loads-inl.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -32,6 +33,7 @@ struct Problem {
     V3<V> tipLoad;                                        // [N]
     std::span<const BoxForce<V>> forces;
     Support<V> support;
+    std::span<const LaneTie<V>> ties;
     V momentScale;  // EI/L + w L^2/2 [N m]
 };
 
@@ -48,7 +50,7 @@ struct Node {
     Matrix<V, m, m> byTurn;
 };
 
-// And where loads depend on the place: in the reach of forces and colliders.
+// And where loads depend on the place: in the reach of forces, colliders and ties.
 template <class V, class Element>
 struct Contact {
     static constexpr int m = Element::freedoms;
@@ -91,7 +93,7 @@ public:
     using Row = Node<V, Element>;
     using Touch = Contact<V, Element>;
 
-    // contacts  as many as nodes, or none if the problem has no support
+    // contacts  as many as nodes, or none if loads do not depend on the place
     Newton(const Problem<V, Element>& problem, std::span<Row> nodes, std::span<Touch> contacts)
         : problem_(problem), nodes_(nodes), contacts_(contacts) {}
 
@@ -182,6 +184,8 @@ private:
         place();
         for (std::size_t j = 1; j < nodes_.size(); ++j)
             touch(nodes_[j].position, contacts_[j]);
+        for (const LaneTie<V>& tie : problem_.ties)
+            hold(tie, share);
         for (std::size_t j = 1; j < nodes_.size(); ++j)
             pullOn(j, share);
     }
@@ -202,6 +206,15 @@ private:
             contacts_[end].k = contacts_[end].k + half;
             contacts_[end].stiff = true;
         }
+    }
+
+    HWY_INLINE void hold(const LaneTie<V>& tie, V share) {
+        Touch& contact = contacts_[tie.node];
+        const V stiffness = share * tie.stiffness;
+        const V3<V> gap = nodes_[tie.node].position - tie.point;
+        contact.push = contact.push + share * tie.force - stiffness * gap;
+        contact.k = contact.k + diagonal<3>(stiffness);
+        stiff_ = contact.stiff = true;
     }
 
     HWY_INLINE void touch(const V3<V>& place, Touch& contact) {
@@ -279,7 +292,7 @@ private:
         V3<V> beyond = at.share * problem_.tipLoad;  // force on the end of segment j
         V worst(0);
         at.stable = V(0) < V(1);
-        firstFree_ = nodes_.size();
+        lastHeld_ = 0;
         Matrix<V, m, m> hessian = diagonal<m>(V(0));  // of all beyond node j in its turn
         Column<V, m> pull = zeros<m>();
         Column<V, m> carried = zeros<m>();  // the gradient that segment j + 1 gives node j
@@ -287,10 +300,11 @@ private:
 
         for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
             Row& node = nodes_[j];
-            const bool coupled = stiff_ && (firstFree_ < nodes_.size() || contacts_[j].stiff);
+            const bool coupled = stiff_ && (lastHeld_ > 0 || contacts_[j].stiff);
             if (stiff_) beyond = beyond + contacts_[j].push;
-            const auto d = Element::template derive<Order::Hessian>(problem_.elements[j - 1], nodes_[j - 1].state,
-                                           node.state, beyond + V(0.5F) * node.load, coupled);
+            const auto d = Element::template derive<Order::Hessian>(
+                problem_.elements[j - 1], nodes_[j - 1].state, node.state,
+                beyond + V(0.5F) * node.load, coupled);
             beyond = beyond + node.load;
             const Column<V, m> gradient = d.gb + carried;
             for (int r = 0; r < m; ++r)
@@ -302,7 +316,7 @@ private:
                 hessian(r, r) = hessian(r, r) + at.shift;
             pull = pull + d.gb;
             if (coupled) {
-                if (firstFree_ == nodes_.size()) firstFree_ = j + 1;
+                lastHeld_ = std::max(lastHeld_, j);
                 couple(node, contacts_[j], d, least, at.stable, hessian, pull, cost);
             } else {
                 const auto factors = factorize(hessian, least, at.stable);
@@ -378,7 +392,7 @@ private:
         V largest(0);
         for (std::size_t j = 1; j < nodes_.size(); ++j) {
             Row& node = nodes_[j];
-            const bool coupled = stiff_ && firstFree_ < nodes_.size() && j < firstFree_;
+            const bool coupled = j <= lastHeld_;
             Column<V, m> back = node.still + node.byTurn * turn;
             if (coupled) {
                 moved = moved + contacts_[j].a * turn;
@@ -408,9 +422,9 @@ private:
     std::span<Row> nodes_;
     std::span<Touch> contacts_;
     V curvature_{};
-    MaskOf<V> touched_{};        // lanes in which a node touches the collider
-    bool stiff_ = false;         // any k of any lane
-    std::size_t firstFree_ = 0;  // nodes from here to the tip touch nothing
+    MaskOf<V> touched_{};       // lanes in which a node touches the collider
+    bool stiff_ = false;        // any k of any lane
+    std::size_t lastHeld_ = 0;  // the last node whose place counts; 0 if none
 };
 
 }  // namespace kushi::HWY_NAMESPACE

@@ -92,6 +92,9 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
     }
 }
 
+// Passes of at most so many steps take long ones.
+constexpr int hasty = 12;
+
 struct Pass {
     int steps;
     double worse, curvature;
@@ -172,6 +175,13 @@ private:
         NewtonOptions options;
         options.tolerance = batch_.tolerance;
         options.maxSteps = one.steps;
+        if (one.steps <= hasty) {
+            options.reach = 2;
+            options.growth = 2.5;
+            options.shift = 1e-2;
+            options.raise = 8;
+            options.lower = 0.1;
+        }
         options.worse = one.worse;
         options.curvature = one.curvature;
         Left left;

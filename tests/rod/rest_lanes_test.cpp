@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The lanes of floats against the double reference, on every instruction set of this processor.
+#include "rod/kernel/batch-inl.h"
 #include "rod/rest_rods.h"
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -12,6 +14,7 @@
 namespace kushi {
 namespace {
 
+namespace kernel = HWY_NAMESPACE;
 using rest::randomHairs;
 using rest::settleBy;
 using rest::Shape;
@@ -50,15 +53,34 @@ constexpr int hairs = 150;
 constexpr int hairs = 1000;
 #endif
 
+// The rods, to begin where others have ended.
+Rods startedAt(const Rods& rods, const rest::Settled& settled) {
+    Rods started = rods;
+    for (std::size_t i = 0; i < rods.size(); ++i) {
+        const std::span<const float> turns = settled.turnsOf(i);
+        for (std::size_t j = 0; j < rods.segments(i); ++j) {
+            if (rods.naturalCurvature.empty()) {
+                started.starts.push_back(
+                    frameAlong({turns[3 * j], turns[3 * j + 1], turns[3 * j + 2]}));
+            } else {
+                started.starts.push_back(
+                    {turns[4 * j], turns[4 * j + 1], turns[4 * j + 2], turns[4 * j + 3]});
+            }
+        }
+    }
+    return started;
+}
+
+// The reference begins where the lanes ended, as a heavy curl has many rests.
 TEST_F(RestLanes, AgreeWithTheReferenceOnEveryTarget) {
     const std::vector<std::int64_t> targets = targetsHere();
     ASSERT_FALSE(targets.empty());
     for (const Shape shape : shapes) {
         const Rods rods = randomHairs(shape, hairs, 25);
-        const rest::Settled exact = settleBy(settleReference, rods, {}, 1e-8);
         for (const std::int64_t target : targets) {
             use(target);
             const rest::Settled lanes = settleBy(settleLanes, rods, {}, 1e-5);
+            const rest::Settled exact = settleBy(settleReference, startedAt(rods, lanes), {}, 1e-8);
             int settled = 0;
             std::vector<double> gaps;
             for (std::size_t i = 0; i < rods.size(); ++i) {
@@ -76,6 +98,61 @@ TEST_F(RestLanes, AgreeWithTheReferenceOnEveryTarget) {
             EXPECT_LT(gaps.back(), shape == Shape::Straight ? 2e-3 : 3e-2)
                 << hwy::TargetName(target);
         }
+    }
+}
+
+// From the unloaded shape with loads that grow by a twentieth at a time, in double precision.
+template <class Element>
+std::vector<Vec3f> followed(const Rods& rods) {
+    using kernel::Block;
+    std::vector<Vec3f> nodes(rods.nodeCount());
+    std::vector<float> residuals(rods.size());
+    std::vector<std::uint8_t> states(rods.size());
+    std::vector<std::uint32_t> strands(rods.size());
+    std::iota(strands.begin(), strands.end(), 0U);
+    const RodWorld world;
+    StrandBatch batch;
+    batch.rods = &rods;
+    batch.world = &world;
+    batch.strands = strands;
+    batch.nodes = nodes;
+    batch.residuals = residuals;
+    batch.states = states;
+    kernel::NewtonOptions options;
+    options.tolerance = 1e-6;
+    options.growth = 1.05;
+    options.readiness = 1e-4;
+    options.reach = 0.2;
+    options.maxSteps = 4000;
+    Block<double, Element> block(batch);
+    for (const std::uint32_t strand : strands) {
+        block.take({&strand, 1});
+        block.unbend();
+        kernel::nudge(block);
+        kernel::Progress<double> at{};
+        at.share = std::min(1.0, 0.1 / block.gamma());
+        kernel::settleBlock(block, options, at);
+        block.write(at, true);
+    }
+    return nodes;
+}
+
+// Measured 0, 0, 1 and 2 of 1000.
+TEST(RestBranch, IsTheOneThatGrowingLoadsLeadTo) {
+    const int most[] = {0, 1, 4, 6};
+    for (const Shape shape : shapes) {
+        const Rods rods = randomHairs(shape, hairs, 25);
+        const std::vector<Vec3f> fine = shape == Shape::Straight
+                                            ? followed<kernel::Straight<double>>(rods)
+                                            : followed<kernel::Curly<double>>(rods);
+        std::vector<Vec3f> nodes(rods.nodeCount());
+        RestState state;
+        settleRods(rods, {}, state, nodes);
+        int others = 0;
+        for (std::size_t i = 0; i < rods.size(); ++i)
+            others += rest::gap(rods, i, fine, nodes) > 1e-2 ? 1 : 0;
+        RecordProperty("others" + std::to_string(static_cast<int>(shape)), others);
+        EXPECT_LE(others, most[static_cast<std::size_t>(shape)]) << static_cast<int>(shape);
     }
 }
 

@@ -83,6 +83,11 @@ struct NewtonOptions {
     // Share of a support's greatest push up to which the curvature of the surface counts. Little is
     // quicker while many nodes find their places; all of it is needed where they nearly slide.
     double curvature = 0.02;
+    // The shift where a rest is not stable, over EI / d: at first, and its change from step to
+    // step.
+    double shift = 1e-3;
+    double raise = 16;
+    double lower = 0.25;
     int maxSteps = 40;
 };
 
@@ -145,9 +150,11 @@ public:
 
             // Small near a rest that is not stable: a strand just past buckling leaves it by the
             // ratio of what makes it fall and the shift in a step.
-            const V smallest = select(at.residual > V(1e-3F), V(1e-3F), V(1e-5F)) * base;
-            const V lower = select(at.shift < V(0.1F) * smallest, V(0), V(0.25F) * at.shift);
-            const V higher = most(V(16) * at.shift, smallest);
+            const V smallest =
+                select(at.residual > V(1e-3F), number<V>(options.shift), V(1e-5F)) * base;
+            const V lower =
+                select(at.shift < V(0.1F) * smallest, V(0), number<V>(options.lower) * at.shift);
+            const V higher = most(number<V>(options.raise) * at.shift, smallest);
             at.shift = select(go, lower, select(at.settled, at.shift, higher));
             const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
             const V grown =

@@ -51,9 +51,13 @@ struct Rods {
 
 /// A node that is held at a point, as by a band around many hairs. It may turn there.
 struct Tie {
+    static constexpr std::uint32_t none = 0xffffffff;
+
     std::uint32_t strand = 0;
-    std::uint32_t node = 0;  ///< of the strand, >= 1
-    Vec3f point;             ///< m
+    std::uint32_t node = 0;     ///< of the strand, >= 1
+    Vec3f point;                ///< m
+    std::uint32_t knot = none;  ///< ties of one knot are held at the same point, which comes to
+                                ///< rest with the strands: looked for near the mean of `point`
 };
 
 /// What acts on rods.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
+#include "rod/knots.h"
 #include "rod/strand_batch.h"
 
 #include <kushi/rods.h>
@@ -69,17 +70,8 @@ std::uint64_t layoutOf(const Rods& rods) {
     return layout;
 }
 
-}  // namespace
-
-Frame frameAlong(Vec3d direction) {
-    if (direction.z < -1 + 1e-12) return {0, 1, 0, 0};
-    const double scale = 1 / std::sqrt(2 * (1 + direction.z));
-    return {static_cast<float>((1 + direction.z) * scale), static_cast<float>(-direction.y * scale),
-            static_cast<float>(direction.x * scale), 0};
-}
-
-RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
-                      std::span<Vec3f> nodes, const RestOptions& options) {
+RestReport settlePinned(const Rods& rods, const RodWorld& world, RestState& state,
+                        std::span<Vec3f> nodes, const RestOptions& options) {
     RestReport report;
     report.residuals.resize(rods.size());
     std::vector<std::uint8_t> settled(rods.size());
@@ -132,6 +124,28 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
         if (settled[i] == 0) report.unsettled.push_back(i);
     }
     return report;
+}
+
+}  // namespace
+
+Frame frameAlong(Vec3d direction) {
+    if (direction.z < -1 + 1e-12) return {0, 1, 0, 0};
+    const double scale = 1 / std::sqrt(2 * (1 + direction.z));
+    return {static_cast<float>((1 + direction.z) * scale), static_cast<float>(-direction.y * scale),
+            static_cast<float>(direction.x * scale), 0};
+}
+
+RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
+                      std::span<Vec3f> nodes, const RestOptions& options) {
+    const bool knotted =
+        std::ranges::any_of(world.ties, [](const Tie& tie) { return tie.knot != Tie::none; });
+    if (!knotted) return settlePinned(rods, world, state, nodes, options);
+    const double reach = rods.lengths[world.ties[0].strand];
+    return settleKnots(world.ties, reach, options.warm, [&](std::span<const Tie> ties, bool warm) {
+        RodWorld now = world;
+        now.ties = ties;
+        return settlePinned(rods, now, state, nodes, {options.tolerance, warm, options.threads});
+    });
 }
 
 }  // namespace kushi

@@ -89,11 +89,11 @@ TEST_F(RestLanes, AgreeWithTheReferenceOnEveryTarget) {
                 gaps.push_back(rest::gap(rods, i, exact.nodes, lanes.nodes));
             }
             std::sort(gaps.begin(), gaps.end());
-            RecordProperty("gaps" + std::to_string(static_cast<int>(shape)) + "_" +
-                               hwy::TargetName(target),
-                           std::to_string(1e6 * gaps[gaps.size() / 2]) + " " +
-                               std::to_string(1e6 * gaps[gaps.size() * 99 / 100]) + " " +
-                               std::to_string(1e6 * gaps.back()));
+            RecordProperty(
+                "gaps" + std::to_string(static_cast<int>(shape)) + "_" + hwy::TargetName(target),
+                std::to_string(1e6 * gaps[gaps.size() / 2]) + " " +
+                    std::to_string(1e6 * gaps[gaps.size() * 99 / 100]) + " " +
+                    std::to_string(1e6 * gaps.back()));
             // The rest is for the reference.
             EXPECT_GE(settled, hairs * 98 / 100) << hwy::TargetName(target);
             // A residual of 1e-5 moves a strand by so much times its compliance: little in the

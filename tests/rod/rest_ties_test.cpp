@@ -127,5 +127,39 @@ TEST(RestTies, AWarmSolveKeepsThem) {
     EXPECT_LE(moved, 2);
 }
 
+// Three hairs from different roots in a knot, and two in another.
+TEST(RestTies, TheForcesAtAKnotCancel) {
+    Rods rods;
+    const Vec3f roots[] = {{0, 0, 0}, {0.3F, 0, 0.1F}, {0, 0.05F, -0.3F}, {2, 0, 0}, {2.4F, 0, 0}};
+    for (std::uint64_t i = 0; i < 5; ++i) {
+        rest::addRod(rods, frameAlong(normalized(Vec3d{0.2, 1, 0.1 * static_cast<double>(i)})),
+                     5 + 10 * static_cast<double>(i), 25, i);
+        rods.roots.back() = roots[i];
+    }
+    const Vec3f near = {0.2F, -0.3F, 0};
+    const std::vector<Tie> ties = {{0, 20, near, 7},
+                                   {1, 25, near, 7},
+                                   {2, 18, near, 7},
+                                   {3, 25, {2.2F, 0, 0.2F}, 1},
+                                   {4, 25, {2.2F, -0.2F, 0.2F}, 1}};
+    const Held held = settleTied(rods, ties);
+    EXPECT_TRUE(held.report.unsettled.empty());
+    const auto place = [&](std::size_t t) {
+        return held.nodes[rods.firstNode(ties[t].strand) + ties[t].node];
+    };
+    const std::vector<std::size_t> knots[] = {{0, 1, 2}, {3, 4}};
+    for (const std::vector<std::size_t>& knot : knots) {
+        Vec3d sum;
+        double size = 0;
+        for (const std::size_t t : knot) {
+            EXPECT_LT(rest::distance(place(t), place(knot[0])), 3e-5);
+            sum += held.report.tieForces[t].as<double>();
+            size += length(held.report.tieForces[t].as<double>());
+        }
+        EXPECT_GT(size, 0.5);
+        EXPECT_LT(length(sum), 2e-3 * size);
+    }
+}
+
 }  // namespace
 }  // namespace kushi

@@ -133,6 +133,14 @@ void append(Strands& to, const Strands& from) {
     append(to.colors, from.colors);
 }
 
+// Room for so many more nodes.
+void reserve(Strands& strands, std::size_t more) {
+    const std::size_t nodes = strands.nodes.size() + more;
+    strands.nodes.reserve(nodes);
+    strands.diameters.reserve(nodes);
+    strands.colors.reserve(nodes);
+}
+
 Status checkMethod(const Style& style, Method method) {
     if (method == Method::Equilibrium) return std::monostate{};
     for (const Part& part : style.parts) {
@@ -183,6 +191,7 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
                     options.progress(static_cast<double>(sofar) / static_cast<double>(all));
                 }
             });
+        reserve(groom.strands, settled->nodes.size());
         for (const Block& block : blocks) {
             append(groom.strands, block.strands);
             append(groom.innerEnds, block.innerEnds);

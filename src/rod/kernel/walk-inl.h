@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
 
 // Squares of loads stay floats up to here.
-inline constexpr double mostBend = 1e17;
+inline constexpr float mostBend = 1e17F;
 
 // Made once for a batch and used for each of its blocks.
 class Walk {
@@ -27,6 +27,7 @@ public:
     explicit Walk(const WalkBatch& batch)
         : batch_(batch),
           gravity_(everywhere<Lanes>(batch.walk->gravity)),
+          pull_(number<Lanes>(batch.walk->pull / 4)),
           avoiding_(batch.walk->obstacle != nullptr),
           sphere_(avoiding_ ? *batch.walk->obstacle : Ellipsoid{{}, {1, 1, 1}}),
           forceRoom_(batch.walk->forces.size()),
@@ -46,9 +47,15 @@ public:
         const auto start = gatherVector<Lanes>(
             [&](std::size_t l) { return sphere_.at(rods.roots[strand(l)].template as<double>()); });
         V3<Lanes> before = directions(strand);
-        const auto d = gather<Lanes>([&](std::size_t l) { return segmentLength(strand(l)); });
-        const auto softness = gather<Lanes>([&](std::size_t l) { return softnessOf(strand(l)); });
         auto left = gather<Lanes>([&](std::size_t l) { return rods.segments(strand(l)); });
+        const Lanes n = most(left, Lanes(1));
+        const Lanes d = gather<Lanes>([&](std::size_t l) { return rods.lengths[strand(l)]; }) / n;
+        // y / d = softness m^2 F for the load F of the walk's units and m segments left.
+        const Lanes softness =
+            least(gather<Lanes>([&](std::size_t l) { return rods.weights[strand(l)]; }) /
+                      gather<Lanes>([&](std::size_t l) { return rods.bending[strand(l)]; }) * d *
+                      d * d * pull_,
+                  Lanes(mostBend) / (n * n));
         const std::span<const HeldForce> forces = forcesOn(strand);
 
         // Relative to the root: hair far from the origin is bent as well as any other.
@@ -99,20 +106,6 @@ private:
         for (std::size_t i = batch.begin; i < batch.end; ++i)
             most = std::max(most, batch.rods->segments(i));
         return most;
-    }
-
-    double segmentLength(std::size_t strand) const {
-        const std::size_t n = batch_.rods->segments(strand);
-        return n == 0 ? 0 : double{batch_.rods->lengths[strand]} / static_cast<double>(n);
-    }
-
-    // y / d = softness m^2 F for the load F of walk units over m segments.
-    double softnessOf(std::size_t strand) const {
-        const double d = segmentLength(strand);
-        const auto n = static_cast<double>(batch_.rods->segments(strand));
-        const double bend = double{batch_.rods->weights[strand]} * d * d * d * batch_.walk->pull /
-                            (4 * double{batch_.rods->bending[strand]});
-        return n == 0 ? 0 : std::min(bend, mostBend / (n * n));
     }
 
     // d3 of the clamps.
@@ -179,6 +172,7 @@ private:
 
     const WalkBatch& batch_;
     V3<Lanes> gravity_;
+    Lanes pull_;
     bool avoiding_;
     Sphere sphere_;
     Room<HeldForce> forceRoom_;

@@ -5,7 +5,7 @@
 #include "pipeline/grow.h"
 #include "rod/strand_batch.h"
 
-#include <kushi/cantilever.h>
+#include <kushi/cantilevers.h>
 #include <kushi/head.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ public:
         const Part straight = headOfHair(false);
         const Result<Follicles> follicles = plant(straight.scalp, 1992);
         if (!follicles) return {};
-        walk(straight, *follicles);
+        walk(grown(straight, *follicles, 20), straight.scalp.ellipsoid);
         const Rods rods = grown(straight, *follicles, 25);
         rest("equilibrium", rods, nullptr);
         rest("contact", rods, &straight.scalp.ellipsoid);
@@ -102,26 +102,14 @@ private:
     }
 
     // The paper's walk with avoidance of the ellipsoid.
-    void walk(const Part& part, const Follicles& follicles) {
-        constexpr std::size_t segments = 20;
-        CantileverWorld world;
-        world.obstacle = &part.scalp.ellipsoid;
-        std::vector<Vec3d> nodes(follicles.size() * (segments + 1));
-        const auto bendAll = [&] {
-            parallelFor(follicles.size(), 256, threads_, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    const CantileverRod rod = {
-                        follicles.roots[i], part.scalp.ellipsoid.normal(follicles.roots[i]),
-                        part.hair.length, part.hair.rigidity(), part.hair.weightPerLength()};
-                    bendCantilever(rod, world,
-                                   std::span(nodes).subspan(i * (segments + 1), segments + 1));
-                }
-            });
-        };
-        timings_.push_back({"cantilever", follicles.size(), segments, threads_,
-                            time(
-                                runs_, [] {}, bendAll),
-                            runs_});
+    void walk(const Rods& rods, const Ellipsoid& obstacle) {
+        RodWorld world;
+        world.obstacle = &obstacle;
+        std::vector<Vec3f> nodes(rods.nodeCount());
+        const auto bendAll = [&] { bendCantilevers(rods, world, nodes, {4, threads_}); };
+        add("cantilever", rods,
+            time(
+                runs_, [] {}, bendAll));
     }
 
     // True rest under loads that are in no common plane: from the unloaded shape, and anew after 5

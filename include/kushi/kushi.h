@@ -4,6 +4,7 @@
 // Everything, in the order of the data's way.
 #include <kushi/camera.h>
 #include <kushi/cantilever.h>
+#include <kushi/cantilevers.h>
 #include <kushi/color.h>
 #include <kushi/draw.h>
 #include <kushi/ellipsoid.h>

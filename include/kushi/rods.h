@@ -20,6 +20,9 @@ struct Frame {
 /// The frame that turns d3 into `direction` (unit) by the shortest way.
 Frame frameAlong(Vec3d direction);
 
+/// Where a frame turns d3: a unit vector.
+Vec3d directionOf(const Frame& frame);
+
 /// Strands as inextensible Kirchhoff rods, clamped at their roots. What is per strand has size()
 /// entries; what is per segment is empty or has offsets.back(). A strand may have no segments: it
 /// is its root, and its lengths, bending, ... do not count.

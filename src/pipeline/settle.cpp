@@ -3,9 +3,8 @@
 #include "core/random.h"
 #include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
-#include "pipeline/rest.h"
+#include "pipeline/settle_part.h"
 #include "pipeline/stopwatch.h"
-#include "pipeline/strand.h"
 
 #include <kushi/follicles.h>
 #include <kushi/head.h>
@@ -20,7 +19,7 @@ namespace kushi {
 
 namespace {
 
-// Strands settled together by one thread.
+// Strands put together by one thread.
 constexpr std::size_t blockSize = 256;
 // How far the drawn inner piece reaches from the follicle towards the ellipsoid's centre, and not
 // past it [m].
@@ -88,30 +87,6 @@ Result<std::vector<Follicles>> plantAll(const Style& style, std::optional<std::s
     return all;
 }
 
-// A part's strands as they are settled one by one, or all together before.
-struct Shapes {
-    const Style* style = nullptr;
-    const Part* part = nullptr;
-    const Follicles* follicles = nullptr;
-    int segments = 0;
-    std::optional<RestedPart> rested;
-
-    // Overwrites `nodes`; none where the follicle has no hair.
-    void nodesOf(std::size_t i, std::vector<Vec3f>& nodes) const {
-        if (rested) {
-            const auto all = std::span(rested->nodes);
-            const std::size_t first = rested->offsets[i];
-            const auto own = all.subspan(first, rested->offsets[i + 1] - first);
-            nodes.assign(own.begin(), own.end());
-            return;
-        }
-        nodes.clear();
-        const StrandSite site = {follicles->roots[i], follicles->angles[i], follicles->keys[i]};
-        for (const Vec3d node : settleStrand(*style, *part, site, segments))
-            nodes.push_back(node.as<float>());
-    }
-};
-
 void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector<float>& out) {
     double walked = 0;
     for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -121,19 +96,18 @@ void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector
     }
 }
 
-Block settleBlock(const Shapes& shapes, std::size_t begin, std::size_t end,
-                  bool measurePenetration) {
-    const Ellipsoid& ellipsoid = shapes.part->scalp.ellipsoid;
+Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& settled,
+              std::size_t begin, std::size_t end, bool measurePenetration) {
+    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
     Block block;
-    std::vector<Vec3f> nodes;
     for (std::size_t i = begin; i < end; ++i) {
-        shapes.nodesOf(i, nodes);
+        const std::span<const Vec3f> nodes = settled.strand(i);
         if (nodes.empty()) continue;
-        const std::uint64_t key = shapes.follicles->keys[i];
+        const std::uint64_t key = follicles.keys[i];
         block.strands.add(nodes, key);
-        appendHairColors(shapes.part->hair, key, nodes, block.strands.colors);
-        appendDiameters(shapes.part->hair, nodes, block.strands.diameters);
-        const Vec3d root = shapes.follicles->roots[i];
+        appendHairColors(part.hair, key, nodes, block.strands.colors);
+        appendDiameters(part.hair, nodes, block.strands.diameters);
+        const Vec3d root = follicles.roots[i];
         const Vec3d inward = ellipsoid.center - root;
         const double reach = std::min(1.0, innerPiece / length(inward));
         block.innerEnds.push_back((root + reach * inward).as<float>());
@@ -157,6 +131,14 @@ void append(Strands& to, const Strands& from) {
     append(to.keys, from.keys);
     append(to.diameters, from.diameters);
     append(to.colors, from.colors);
+}
+
+// Room for so many more nodes.
+void reserve(Strands& strands, std::size_t more) {
+    const std::size_t nodes = strands.nodes.size() + more;
+    strands.nodes.reserve(nodes);
+    strands.diameters.reserve(nodes);
+    strands.colors.reserve(nodes);
 }
 
 Status checkMethod(const Style& style, Method method) {
@@ -189,27 +171,27 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     std::atomic<std::size_t> done{0};
     double deepest = 0;
     for (std::size_t p = 0; p < style.parts.size(); ++p) {
+        const Part& part = style.parts[p];
         const Follicles& follicles = (*planted)[p];
-        Shapes shapes = {&style, &style.parts[p], &follicles, segments, {}};
+        const Result<SettledPart> settled =
+            settlePart(style, part, follicles, method, segments, options.threads);
+        if (!settled) return settled.problems();
+        groom.report.unsettled += settled->unsettled;
         if (method == Method::Equilibrium) {
-            Result<RestedPart> rested =
-                restPart(style, style.parts[p], follicles, segments, options.threads);
-            if (!rested) return rested.problems();
             groom.report.maxResidual =
-                std::max(groom.report.maxResidual.value_or(0), rested->maxResidual);
-            groom.report.unsettled += rested->unsettled;
-            shapes.rested = std::move(*rested);
+                std::max(groom.report.maxResidual.value_or(0), settled->maxResidual);
         }
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        parallelFor(follicles.size(), blockSize, options.threads,
-                    [&](std::size_t begin, std::size_t end) {
-                        blocks[begin / blockSize] =
-                            settleBlock(shapes, begin, end, options.measurePenetration);
-                        const std::size_t sofar = done += end - begin;
-                        if (options.progress) {
-                            options.progress(static_cast<double>(sofar) / static_cast<double>(all));
-                        }
-                    });
+        parallelFor(
+            follicles.size(), blockSize, options.threads, [&](std::size_t begin, std::size_t end) {
+                blocks[begin / blockSize] =
+                    blockOf(part, follicles, *settled, begin, end, options.measurePenetration);
+                const std::size_t sofar = done += end - begin;
+                if (options.progress) {
+                    options.progress(static_cast<double>(sofar) / static_cast<double>(all));
+                }
+            });
+        reserve(groom.strands, settled->nodes.size());
         for (const Block& block : blocks) {
             append(groom.strands, block.strands);
             append(groom.innerEnds, block.innerEnds);

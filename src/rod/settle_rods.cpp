@@ -135,6 +135,15 @@ Frame frameAlong(Vec3d direction) {
             static_cast<float>(direction.x * scale), 0};
 }
 
+Vec3d directionOf(const Frame& frame) {
+    const double w = frame.w;
+    const double x = frame.x;
+    const double y = frame.y;
+    const double z = frame.z;
+    return normalized(
+        Vec3d{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z});
+}
+
 RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
                       std::span<Vec3f> nodes, const RestOptions& options) {
     const bool knotted =

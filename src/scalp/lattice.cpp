@@ -11,12 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// |dP/dphi|
-double parallelSpeed(const Ellipsoid& e, EllipsoidAngles at) {
-    return std::sin(at.theta) *
-           std::hypot(e.semiAxes.x * std::sin(at.phi), e.semiAxes.z * std::cos(at.phi));
-}
-
 // Integral of `speed` over each of `steps` equal pieces of [0, end] by Simpson's rule.
 template <class Speed>
 std::vector<double> stepLengths(double end, int steps, const Speed& speed) {
@@ -64,8 +58,10 @@ ArcLength meanMeridian(const Ellipsoid& ellipsoid) {
     return {0, pi, stepLengths(pi, 512, meanSpeed)};
 }
 
-ArcLength parallel(const Ellipsoid& ellipsoid, double theta) {
-    const auto speed = [&](double phi) { return parallelSpeed(ellipsoid, {theta, phi}); };
+ArcLength equator(const Ellipsoid& e) {
+    const auto speed = [&](double phi) {
+        return std::hypot(e.semiAxes.x * std::sin(phi), e.semiAxes.z * std::cos(phi));
+    };
     return {0, 2 * pi, stepLengths(2 * pi, 256, speed)};
 }
 

@@ -26,8 +26,9 @@ private:
 /// is on average over all phi.
 ArcLength meanMeridian(const Ellipsoid& ellipsoid);
 
-/// The row of constant theta: phi in [0, 2 pi] by distance from phi = 0.
-ArcLength parallel(const Ellipsoid& ellipsoid, double theta);
+/// The row of theta = 90 degrees: phi in [0, 2 pi] by distance from phi = 0. Every other row is the
+/// same but sin(theta) times as long.
+ArcLength equator(const Ellipsoid& ellipsoid);
 
 /// |dP/dtheta|, the length of a meridian per radian of theta [m].
 double meridianSpeed(const Ellipsoid& ellipsoid, EllipsoidAngles at);

@@ -38,21 +38,23 @@ Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double
     Follicles follicles;
     follicles.spacing = spacing;
 
+    const ArcLength around = equator(ellipsoid);
     const auto rows = static_cast<std::uint64_t>(std::ceil(meridian.total() / spacing - 0.5));
     for (std::uint64_t row = 0; row < rows; ++row) {
         const double theta = meridian.parameterAt((static_cast<double>(row) + 0.5) * spacing);
-        const ArcLength around = parallel(ellipsoid, theta);
-        const double places = std::max(1.0, std::round(around.total() / spacing));
+        const double scale = std::sin(theta);
+        const double total = scale * around.total();
+        const double places = std::max(1.0, std::round(total / spacing));
         const std::uint64_t rowKey = mixKey(seed, row);
         const double phase = uniform(mixKey(rowKey, RowPhase));
 
         for (std::uint64_t column = 0; column < static_cast<std::uint64_t>(places); ++column) {
             const std::uint64_t key = mixKey(rowKey, 16 + column);
-            double along = (static_cast<double>(column) + phase) * around.total() / places;
+            double along = (static_cast<double>(column) + phase) * total / places;
             along += reach * uniformSigned(mixKey(key, JitterPhi));
-            along -= around.total() * std::floor(along / around.total());
+            along -= total * std::floor(along / total);
 
-            EllipsoidAngles at = {theta, around.parameterAt(along)};
+            EllipsoidAngles at = {theta, around.parameterAt(along / scale)};
             at.theta +=
                 reach * uniformSigned(mixKey(key, JitterTheta)) / meridianSpeed(ellipsoid, at);
             at = properAngles(at);

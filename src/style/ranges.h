@@ -37,13 +37,14 @@ inline double share(const RootRange& roots, EllipsoidAngles at, double width = 0
     Range theta = roots.theta;
     if (theta.low <= 0) theta.low = -infinity;
     if (theta.high >= pi) theta.high = infinity;
-    if (roots.phi.high - roots.phi.low >= 2 * pi - tiny) return share(theta, at.theta, width);
+    const double byTheta = share(theta, at.theta, width);
+    if (byTheta <= 0 || roots.phi.high - roots.phi.low >= 2 * pi - tiny) return byTheta;
 
     double best = 0;
     for (const double turn : {-2 * pi, 0.0, 2 * pi}) {
         best = std::max(best, share(roots.phi, at.phi + turn, width));
     }
-    return share(theta, at.theta, width) * best;
+    return byTheta * best;
 }
 
 /// Share of a union: the largest of its ranges'.
@@ -60,7 +61,7 @@ inline bool contains(const RootRange& roots, EllipsoidAngles at) {
 }
 
 inline bool contains(std::span<const RootRange> roots, EllipsoidAngles at) {
-    return share(roots, at) > 0;
+    return std::ranges::any_of(roots, [at](const RootRange& r) { return contains(r, at); });
 }
 
 }  // namespace kushi

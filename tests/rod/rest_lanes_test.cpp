@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The lanes of floats against the double reference, on every instruction set of this processor.
+#include "rod/every_target.h"
 #include "rod/kernel/batch-inl.h"
 #include "rod/rest_rods.h"
 
 #include <algorithm>
 #include <cstring>
 #include <numeric>
-
-#include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 namespace kushi {
 namespace {
@@ -20,29 +18,6 @@ using rest::settleBy;
 using rest::Shape;
 
 constexpr Shape shapes[] = {Shape::Straight, Shape::Wavy, Shape::Curly, Shape::Tight};
-
-// All but what settle_lanes.cpp leaves out.
-std::vector<std::int64_t> targetsHere() {
-    std::vector<std::int64_t> targets;
-    std::int64_t left = hwy::SupportedTargets();
-    for (; left != 0; left &= left - 1) {
-        const std::int64_t one = left & -left;
-        if ((one & (HWY_SSSE3 | HWY_AVX3_DL)) == 0) targets.push_back(one);
-    }
-    return targets;
-}
-
-class OnEveryTarget : public testing::Test {
-protected:
-    static void use(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-    void TearDown() override {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
 
 using RestLanes = OnEveryTarget;
 

@@ -9,6 +9,7 @@
 #endif
 
 #include "core/random.h"
+#include "rod/kernel/gather-inl.h"
 #include "rod/kernel/hanging-inl.h"
 #include "rod/strand_batch.h"
 
@@ -19,27 +20,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
-
-// Number x of every strand side by side: V of lane -> value.
-template <class V, class Value>
-HWY_INLINE V gather(const Value& value) {
-    alignas(64) ScalarOf<V> lanes[LaneTraits<V>::count];
-    for (std::size_t lane = 0; lane < LaneTraits<V>::count; ++lane)
-        lanes[lane] = static_cast<ScalarOf<V>>(value(lane));
-    return loadLanes(lanes, V());
-}
-
-template <class V, class Value>
-HWY_INLINE V3<V> gatherVector(const Value& value) {
-    return {gather<V>([&](std::size_t lane) { return value(lane).x; }),
-            gather<V>([&](std::size_t lane) { return value(lane).y; }),
-            gather<V>([&](std::size_t lane) { return value(lane).z; })};
-}
-
-template <class V>
-HWY_INLINE V3<V> everywhere(Vec3d v) {
-    return {number<V>(v.x), number<V>(v.y), number<V>(v.z)};
-}
 
 // Tangents or frames as floats.
 template <class V>

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/settle_part.h"
+
+#include "pipeline/cut.h"
+#include "pipeline/grow.h"
+#include "style/ranges.h"
+
+#include <kushi/cantilevers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace kushi {
+
+namespace {
+
+constexpr double mostTurn = 2.2;  // rad in one segment
+
+// How a strand came to rest.
+struct Outcome {
+    float residual = 0;
+    bool settled = true;
+};
+
+std::vector<float> rootShares(const Part& part, const Follicles& follicles,
+                              std::span<const std::uint32_t> which) {
+    std::vector<float> shares;
+    for (const std::uint32_t i : which) {
+        for (const Force& force : part.forces) {
+            shares.push_back(
+                static_cast<float>(share(force.roots, follicles.angles[i], force.falloff.angle)));
+        }
+    }
+    return shares;
+}
+
+class PartInProgress {
+public:
+    PartInProgress(const Style& style, const Part& part, const Follicles& follicles, Method method,
+                   int segments, int threads)
+        : style_(style),
+          part_(part),
+          follicles_(follicles),
+          method_(method),
+          segments_(segments),
+          sizes_(uncut(part.hair, follicles, segments)),
+          outcomes_(follicles.size()),
+          threads_(threads) {
+        settled_.stretches.resize(follicles.size());
+    }
+
+    Status settle(std::span<const std::uint32_t> which) {
+        // The walk knows equal segments only.
+        const double grading = method_ == Method::Cantilever ? 1 : style_.solver.grading;
+        const Rods rods = grow(part_, follicles_, sizes_, which, grading);
+        const std::vector<float> shares = rootShares(part_, follicles_, which);
+        RodWorld world;
+        world.gravity = style_.gravity;
+        world.forces = part_.forces;
+        world.rootShares = shares;
+        world.obstacle = &part_.scalp.ellipsoid;
+
+        const std::size_t base = settled_.nodes.size();
+        settled_.nodes.resize(base + rods.nodeCount());
+        for (std::size_t k = 0; k < which.size(); ++k)
+            settled_.stretches[which[k]] = {base + rods.firstNode(k), rods.segments(k) + 1};
+        const auto nodes = std::span(settled_.nodes).subspan(base);
+        if (method_ == Method::Equilibrium) return rest(which, rods, world, nodes);
+        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, threads_});
+        return std::monostate{};
+    }
+
+    // Shortens what the cut meets; returns those whose shape it changes.
+    std::vector<std::uint32_t> cut(const Cut& cut) {
+        std::vector<std::uint32_t> changed;
+        std::vector<Vec3d> nodes;
+        for (std::uint32_t i = 0; i < follicles_.size(); ++i) {
+            const double rootShare = share(cut.roots, follicles_.angles[i], cut.falloff.angle);
+            SettledPart::Stretch& stretch = settled_.stretches[i];
+            if (stretch.count == 0 || rootShare <= 0) continue;
+            nodes.clear();
+            for (const Vec3f node : settled_.strand(i))
+                nodes.push_back(node.as<double>());
+            const auto left = lengthLeft(cut, nodes, cutPlace(follicles_.keys[i]), rootShare);
+            if (!left) continue;
+            if (*left <= 0) {
+                stretch.count = 0;
+            } else if (cut.mode == CutMode::Hide) {
+                const std::vector<Vec3d> visible = clipped(nodes, *left);
+                stretch.count = visible.size();
+                settled_.nodes[stretch.first + stretch.count - 1] = visible.back().as<float>();
+            } else {
+                const double segment = grownLength(part_.hair, follicles_.keys[i]) / segments_;
+                sizes_.lengths[i] = *left;
+                sizes_.segments[i] =
+                    static_cast<std::size_t>(std::max(1.0, std::ceil(*left / segment - 1e-9)));
+                changed.push_back(i);
+            }
+        }
+        return changed;
+    }
+
+    SettledPart take() {
+        for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+            if (settled_.stretches[i].count == 0) continue;
+            const Outcome& outcome = outcomes_[i];
+            settled_.maxResidual =
+                std::max(settled_.maxResidual, static_cast<double>(outcome.residual));
+            settled_.unsettled += outcome.settled ? 0 : 1;
+        }
+        return std::move(settled_);
+    }
+
+private:
+    Status rest(std::span<const std::uint32_t> which, const Rods& rods, const RodWorld& world,
+                std::span<Vec3f> nodes) {
+        if (const double turn = largestTurn(rods); turn > mostTurn) return tooFewSegments(turn);
+        RestState state;
+        RestOptions options;
+        options.threads = threads_;
+        const RestReport report = settleRods(rods, world, state, nodes, options);
+        for (std::size_t k = 0; k < which.size(); ++k)
+            outcomes_[which[k]] = {report.residuals[k], true};
+        for (const std::uint32_t k : report.unsettled)
+            outcomes_[which[k]].settled = false;
+        return std::monostate{};
+    }
+
+    Problem tooFewSegments(double turn) const {
+        const auto longest = *std::ranges::max_element(sizes_.segments);
+        const auto needed = std::ceil(static_cast<double>(longest) * turn / 1.5);
+        return Problem{"the hair of '" + part_.name + "' winds by " +
+                       std::to_string(std::lround(degrees(turn))) +
+                       " degrees in a segment, which is too coarse; give [solver] segments = " +
+                       std::to_string(static_cast<int>(needed)) +
+                       (needed > 256 ? " (256 at most: a wider curl or shorter hair)" : "")};
+    }
+
+    const Style& style_;
+    const Part& part_;
+    const Follicles& follicles_;
+    Method method_;
+    int segments_;  // of uncut strands
+    Sizes sizes_;
+    SettledPart settled_;
+    std::vector<Outcome> outcomes_;
+    int threads_;
+};
+
+}  // namespace
+
+Result<SettledPart> settlePart(const Style& style, const Part& part, const Follicles& follicles,
+                               Method method, int segments, int threads) {
+    PartInProgress progress(style, part, follicles, method, segments, threads);
+    std::vector<std::uint32_t> which(follicles.size());
+    std::iota(which.begin(), which.end(), 0U);
+    if (const Status settled = progress.settle(which); !settled) return settled.problems();
+    for (const Cut& cut : part.cuts) {
+        which = progress.cut(cut);
+        if (which.empty()) continue;
+        if (const Status settled = progress.settle(which); !settled) return settled.problems();
+    }
+    return progress.take();
+}
+
+}  // namespace kushi

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Usami & Anjyo's walk, strands side by side.
+#if defined(KUSHI_ROD_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KUSHI_ROD_WALK_INL_H
+#undef KUSHI_ROD_WALK_INL_H
+#else
+#define KUSHI_ROD_WALK_INL_H
+#endif
+
+#include "rod/kernel/walk_avoidance-inl.h"
+#include "rod/kernel/walk_loads-inl.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace kushi::HWY_NAMESPACE {
+
+// Squares of loads stay floats up to here.
+inline constexpr float mostBend = 1e17F;
+
+// Made once for a batch and used for each of its blocks.
+class Walk {
+public:
+    explicit Walk(const WalkBatch& batch)
+        : batch_(batch),
+          gravity_(everywhere<Lanes>(batch.walk->gravity)),
+          pull_(number<Lanes>(batch.walk->pull / 4)),
+          avoiding_(batch.walk->obstacle != nullptr),
+          sphere_(avoiding_ ? *batch.walk->obstacle : Ellipsoid{{}, {1, 1, 1}}),
+          forceRoom_(batch.walk->forces.size()),
+          rowRoom_(3 * (longest(batch) + 1) + 3),
+          blockRoom_(Lanes::count * (longest(batch) + 1) + 1),
+          rows_(rowRoom_.items()) {}
+
+    // Strands [begin, end), no more than there are lanes.
+    HWY_INLINE void bend(std::size_t begin, std::size_t end) {
+        const Rods& rods = *batch_.rods;
+        const auto strand = [&](std::size_t lane) { return std::min(begin + lane, end - 1); };
+        std::size_t segments = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            segments = std::max(segments, rods.segments(i));
+
+        const auto root = gatherVector<Lanes>([&](std::size_t l) { return rods.roots[strand(l)]; });
+        const auto start = gatherVector<Lanes>(
+            [&](std::size_t l) { return sphere_.at(rods.roots[strand(l)].template as<double>()); });
+        V3<Lanes> before = directions(strand);
+        auto left = gather<Lanes>([&](std::size_t l) { return rods.segments(strand(l)); });
+        const Lanes n = most(left, Lanes(1));
+        const Lanes d = gather<Lanes>([&](std::size_t l) { return rods.lengths[strand(l)]; }) / n;
+        // y / d = softness m^2 F for the load F of the walk's units and m segments left.
+        const Lanes softness =
+            least(gather<Lanes>([&](std::size_t l) { return rods.weights[strand(l)]; }) /
+                      gather<Lanes>([&](std::size_t l) { return rods.bending[strand(l)]; }) * d *
+                      d * d * pull_,
+                  Lanes(mostBend) / (n * n));
+        const std::span<const HeldForce> forces = forcesOn(strand);
+
+        // Relative to the root: hair far from the origin is bent as well as any other.
+        V3<Lanes> at = {Lanes(0), Lanes(0), Lanes(0)};
+        V3<Lanes> lost = at;     // what rounding has added to it (Kahan)
+        V3<Lanes> from = start;  // on the sphere
+        put(0, root);
+        for (std::size_t i = 1; i <= segments; ++i, left -= Lanes(1)) {
+            V3<Lanes> load = gravity_;
+            if (!forces.empty()) {
+                const V3<Lanes> place = root + at;
+                for (const HeldForce& force : forces)
+                    load = load + pullAt(force, place);
+            }
+            // cantilever.cpp over d: of the load only what is across the segment bends it.
+            load = (softness * left * left) * load;
+            const V3<Lanes> across = load - dot(load, before) * before;
+            const V3<Lanes> bent = before + across;
+            V3<Lanes> along = (Lanes(1) / squareRoot(most(dot(bent, bent), Lanes(1e-30F)))) * bent;
+            V3<Lanes> step = d * along - lost;
+            V3<Lanes> next = at + step;
+            if (avoiding_) {
+                V3<Lanes> to = start + sphere_.along(next);
+                const LaneMask inside =
+                    (dot(to, to) - Lanes(1) < Lanes(insideFrom)) & (left > Lanes(0));
+                if (any(inside)) {
+                    const V3<Lanes> turned =
+                        turnedOut(sphere_, batch_.walk->angles,
+                                  {before, across, dot(load, load), along, d, from}, inside);
+                    along = select<Lanes>(inside, turned, along);
+                    step = d * along - lost;
+                    next = at + step;
+                    to = start + sphere_.along(next);
+                }
+                from = to;
+            }
+            before = along;
+            lost = (next - at) - step;
+            at = next;
+            put(i, root + at);
+        }
+        write(begin, end, segments);
+    }
+
+private:
+    static std::size_t longest(const WalkBatch& batch) {
+        std::size_t most = 0;
+        for (std::size_t i = batch.begin; i < batch.end; ++i)
+            most = std::max(most, batch.rods->segments(i));
+        return most;
+    }
+
+    // d3 of the clamps.
+    template <class Strand>
+    HWY_INLINE V3<Lanes> directions(const Strand& strand) const {
+        const auto number = [&](float Frame::*member) HWY_ATTR {
+            return gather<Lanes>(
+                [&](std::size_t l) { return batch_.rods->clamps[strand(l)].*member; });
+        };
+        const Lanes w = number(&Frame::w);
+        const Lanes x = number(&Frame::x);
+        const Lanes y = number(&Frame::y);
+        const Lanes z = number(&Frame::z);
+        const V3<Lanes> d3 = {Lanes(2) * (x * z + w * y), Lanes(2) * (y * z - w * x),
+                              w * w - x * x - y * y + z * z};
+        return (Lanes(1) / squareRoot(dot(d3, d3))) * d3;
+    }
+
+    // The forces that hold any of the strands' roots.
+    template <class Strand>
+    HWY_INLINE std::span<const HeldForce> forcesOn(const Strand& strand) {
+        const RodWorld& world = *batch_.world;
+        std::size_t count = 0;
+        for (const WalkForce& force : batch_.walk->forces) {
+            const auto strength = gather<Lanes>([&](std::size_t l) {
+                return force.magnitude *
+                       double{world.rootShares[strand(l) * world.forces.size() + force.index]};
+            });
+            if (!any(magnitude(strength) > Lanes(0))) continue;
+            forceRoom_.items()[count++] = {&force, strength, everywhere<Lanes>(force.direction)};
+        }
+        return forceRoom_.items().first(count);
+    }
+
+    HWY_INLINE void put(std::size_t node, const V3<Lanes>& at) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            rows_[3 * node + axis] = at[static_cast<int>(axis)];
+    }
+
+    // Each lane's numbers to its strand's nodes, by fours, and all of them at once to where they
+    // are wanted. What a last four has too much is overwritten by the first of the next strand,
+    // since they go from the tips to the roots.
+    HWY_INLINE void write(std::size_t begin, std::size_t end, std::size_t segments) {
+        const Rods& rods = *batch_.rods;
+        const std::size_t first = rods.firstNode(begin);
+        const std::span<Vec3f> block = blockRoom_.items();
+        std::array<float*, Lanes::count> out{};
+        std::array<std::size_t, Lanes::count> size{};
+        for (std::size_t i = begin; i < end; ++i) {
+            out[i - begin] = &block[rods.firstNode(i) - first].x;
+            size[i - begin] = 3 * (rods.segments(i) + 1);
+        }
+        alignas(64) float fours[4 * Lanes::count];
+        for (std::size_t four = (3 * (segments + 1) + 3) / 4; four-- > 0;) {
+            const std::size_t r = 4 * four;
+            hn::StoreInterleaved4(rows_[r].v, rows_[r + 1].v, rows_[r + 2].v, rows_[r + 3].v,
+                                  Lanes::Tag(), fours);
+            for (std::size_t l = 0; l < end - begin; ++l)
+                if (r < size[l]) std::memcpy(out[l] + r, fours + 4 * l, 4 * sizeof(float));
+        }
+        std::copy_n(block.begin(), rods.firstNode(end) - first,
+                    batch_.nodes.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+
+    const WalkBatch& batch_;
+    V3<Lanes> gravity_;
+    Lanes pull_;
+    bool avoiding_;
+    Sphere sphere_;
+    Room<HeldForce> forceRoom_;
+    Room<Lanes> rowRoom_;
+    Room<Vec3f> blockRoom_;
+    std::span<Lanes> rows_;
+};
+
+}  // namespace kushi::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -3,7 +3,7 @@
 
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
-#include "style/ranges.h"
+#include "pipeline/root_shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +22,6 @@ struct Strand {
     bool settled = true;
 };
 
-std::vector<float> rootShares(const Part& part, const Follicles& follicles,
-                              std::span<const std::uint32_t> which) {
-    std::vector<float> shares;
-    for (const std::uint32_t i : which) {
-        for (const Force& force : part.forces) {
-            shares.push_back(
-                static_cast<float>(share(force.roots, follicles.angles[i], force.falloff.angle)));
-        }
-    }
-    return shares;
-}
-
 class PartAtRest {
 public:
     PartAtRest(const Style& style, const Part& part, const Follicles& follicles, int segments,
@@ -48,7 +36,8 @@ public:
     Status settle(std::span<const std::uint32_t> which) {
         const Rods rods = grow(part_, follicles_, sizes_, which, style_.solver.grading);
         if (const double turn = largestTurn(rods); turn > mostTurn) return tooFewSegments(turn);
-        const std::vector<float> shares = rootShares(part_, follicles_, which);
+        const std::vector<float> shares =
+            rootShares(part_.forces, picked(follicles_.angles, which));
         RodWorld world;
         world.gravity = style_.gravity;
         world.forces = part_.forces;

@@ -15,6 +15,10 @@ int runCheck(const std::string& path) {
     if (const Result<Mesh> head = fromFile ? headOf(*style) : Mesh{}; !head) {
         return report(head.problems());
     }
+    for (const Part& part : style->parts) {
+        if (!part.groom) continue;
+        if (const Result<Strands> groom = groomOf(part); !groom) return report(groom.problems());
+    }
     std::size_t forces = 0;
     std::size_t cuts = 0;
     for (const Part& part : style->parts) {

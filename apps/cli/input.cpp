@@ -50,8 +50,9 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     }
     if (groom) return groom;
     std::vector<Problem> problems = groom.problems();
-    for (Problem& problem : problems)
-        problem.file = path;
+    for (Problem& problem : problems) {
+        if (problem.file.empty()) problem.file = path;
+    }
     return problems;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report.h"
 
+#include "messages.h"
+
 #include <algorithm>
 #include <cstdio>
-
-#include <nlohmann/json.hpp>
 
 namespace kushi {
 
@@ -27,6 +27,25 @@ double StageClock::total() const {
     return sum;
 }
 
+nlohmann::ordered_json setJson(const SetReport& set) {
+    return {{"unstable", set.unstable},
+            {"unheld", set.unheld},
+            {"stiffened", set.stiffened},
+            {"stiffened_median", set.stiffenedMedian},
+            {"stiffened_max", set.stiffenedMost}};
+}
+
+void printHolding(const SetReport& set, std::size_t unsettled) {
+    if (set.stiffened > 0) {
+        std::printf("made stiffer to hold: %s, by %.3g in the median and %.3g at most\n",
+                    counted(set.stiffened, "strand").c_str(), set.stiffenedMedian,
+                    set.stiffenedMost);
+    }
+    if (set.unheld > 0)
+        std::printf("too long or too heavy to hold: %s\n", counted(set.unheld, "strand").c_str());
+    if (unsettled > 0) std::printf("not at rest: %s\n", counted(unsettled, "strand").c_str());
+}
+
 namespace {
 
 nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& clock) {
@@ -41,6 +60,7 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
     json["max_residual"] = nullptr;
     if (report.maxResidual) json["max_residual"] = *report.maxResidual;
     json["unsettled"] = report.unsettled;
+    if (report.set) json["set"] = setJson(*report.set);
     return json;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace kushi {
 
 /// How long each stage of a command took.
@@ -24,6 +26,11 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
     std::vector<StageTime> stages_;
 };
+
+/// How strands made elsewhere hold, for --report.
+nlohmann::ordered_json setJson(const SetReport& set);
+/// The same in words, where there is something to say.
+void printHolding(const SetReport& set, std::size_t unsettled);
 
 /// The text of --report, JSON.
 std::string reportJson(const SettleReport& report, const StageClock& clock);

@@ -44,6 +44,7 @@ int runSettle(const SettleArguments& arguments) {
     std::printf("%s: %s, %s (%s)\n", arguments.output.c_str(),
                 counted(groom->report.strands, "strand").c_str(),
                 counted(groom->report.segments, "segment").c_str(), timesLine(clock).c_str());
+    if (groom->report.set) printHolding(*groom->report.set, groom->report.unsettled);
     return Done;
 }
 

@@ -100,11 +100,7 @@ std::string groomReportJson(const GroomSettleReport& report, const StageClock& c
     json["max_penetration_cm"] = nullptr;
     json["max_residual"] = report.maxResidual;
     json["unsettled"] = report.unsettled;
-    json["set"] = {{"unstable", report.unstable},
-                   {"unheld", report.unheld},
-                   {"stiffened", report.stiffened},
-                   {"stiffened_median", report.stiffenedMedian},
-                   {"stiffened_max", report.stiffenedMost}};
+    json["set"] = setJson(report.set);
     return json.dump(2) + '\n';
 }
 
@@ -118,7 +114,7 @@ Status noGroomFlags(const SettleArguments& arguments) {
     }
     return Problem{
         "--gravity, --weight-scale, --stiffness-scale, --set, --up and --unit are for grooms; a "
-        "style says it itself (gravity, [hair] density and stiffness)",
+        "style says it itself (gravity, groom, [hair] density, stiffness and set)",
         arguments.input};
 }
 
@@ -154,15 +150,7 @@ int settleGroomFile(const SettleArguments& arguments) {
     std::printf("%s: %s, %s (%s)\n", arguments.output.c_str(),
                 counted(told.strands, "strand").c_str(), counted(told.segments, "segment").c_str(),
                 timesLine(clock).c_str());
-    if (told.stiffened > 0) {
-        std::printf("made stiffer to hold: %s, by %.3g in the median and %.3g at most\n",
-                    counted(told.stiffened, "strand").c_str(), told.stiffenedMedian,
-                    told.stiffenedMost);
-    }
-    if (told.unheld > 0)
-        std::printf("too long or too heavy to hold: %s\n", counted(told.unheld, "strand").c_str());
-    if (told.unsettled > 0)
-        std::printf("not at rest: %s\n", counted(told.unsettled, "strand").c_str());
+    printHolding(told.set, told.unsettled);
     return Done;
 }
 

@@ -4,9 +4,19 @@
 #include <kushi/result.h>
 #include <kushi/strands.h>
 
+#include <optional>
 #include <string>
 
 namespace kushi {
+
+/// How the numbers of a strand file become a groom in Kushi's axes: turned, scaled, then moved.
+struct GroomPlacement {
+    /// m that one unit of the file is, > 0; left out, it is the format's: 1 cm. Diameters as well.
+    std::optional<double> unit;
+    Vec3d up = {0, 1, 0};     ///< in the file's axes; one of them, or one reversed
+    Vec3d front = {1, 0, 0};  ///< the way the face looks, likewise; at right angles to up
+    Vec3d offset;             ///< added at the end [m], in Kushi's axes
+};
 
 /// Whether the extension of `path` is one that readGroom and writeGroom know: .hair, .ply or .obj,
 /// in capitals or not.
@@ -19,6 +29,8 @@ bool isGroomPath(const std::string& path);
 /// that says where and what was expected; nothing is guessed. Counts are checked against the size
 /// of the file before memory is taken for them.
 Result<Strands> readGroom(const std::string& path);
+/// The same, put in its place. A placement that leaves nodes where no float reaches is a problem.
+Result<Strands> readGroom(const std::string& path, const GroomPlacement& placement);
 
 /// Writes a groom; the format follows from the extension. The file appears whole or not at all.
 ///

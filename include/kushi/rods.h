@@ -84,6 +84,10 @@ struct RestState {
     std::uint64_t layout = 0;
 };
 
+/// Where the last settling left the segments' far nodes, for Rods::starts; `state` is of these
+/// rods, which have natural curvature.
+std::vector<Frame> framesAtRest(const Rods& rods, const RestState& state);
+
 struct RestOptions {
     double tolerance = 1e-5;  ///< largest imbalance of moments over EI/L + w L^2/2, per strand
     bool warm = false;        ///< begin at the state, if it is of the same rods

@@ -31,17 +31,27 @@ struct StageTime {
     double milliseconds = 0;
 };
 
+/// How the strands of grooms made elsewhere hold the shape that they were set in.
+struct SetReport {
+    std::size_t unstable = 0;  ///< strands that would not hold it as they are
+    std::size_t unheld = 0;    ///< of these, what no stiffening tried has held; they fall
+    /// Strands made stiffer so that they hold, and how many times: median and most (1 if none).
+    std::size_t stiffened = 0;
+    double stiffenedMedian = 1, stiffenedMost = 1;
+};
+
 struct SettleReport {
     std::size_t strands = 0;
     std::size_t segments = 0;  ///< in all
     std::vector<StageTime> stages;
     /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps
-    /// nodes outside, not what lies between them.
+    /// nodes outside, not what lies between them. Grooms have no such ellipsoid and do not count.
     std::optional<double> maxPenetration;
     /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how
     /// many strands did not come to rest. The cantilever solves for no rest.
     std::optional<double> maxResidual;
     std::size_t unsettled = 0;
+    std::optional<SetReport> set;  ///< where there are grooms
 };
 
 /// A head of hair at rest.
@@ -49,7 +59,8 @@ struct SettledGroom {
     Strands strands;  ///< as exported: what cuts hide is not in it; with keys,
                       ///< diameters and linear colours
     /// Per strand: the inner end of the short piece that is drawn from the follicle towards the
-    /// ellipsoid's centre, so that no gap shows over the head [m].
+    /// ellipsoid's centre, so that no gap shows over the head [m]. The follicle itself where there
+    /// is none: of grooms that stand 2 cm off the ellipsoid and more.
     std::vector<Vec3f> innerEnds;
     SettleReport report;
 };
@@ -58,10 +69,20 @@ struct SettledGroom {
 /// threads.
 ///
 /// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
-/// anew. Parts share it in proportion to what they have. Where hide cuts leave nothing of a strand
-/// (its follicle lies below the height), it is left out. A style whose hair needs the equilibrium
-/// method is refused by the cantilever.
+/// anew. Parts share it in proportion to what they have; a groom never has more strands than its
+/// file. Where hide cuts leave nothing of a strand (its follicle lies below the height), it is left
+/// out. A style whose hair needs the equilibrium method is refused by the cantilever.
+///
+/// A groom is set as ordinary hair (Hair's defaults, as thick as its file says, or the style if it
+/// does not) under the earth's gravity, and rests as it is. Then what the style says otherwise is
+/// changed in small steps: gravity, forces, density, stiffness, `set`. Its strands keep their nodes
+/// whatever the number of segments asked for, and the colours, diameters and transparencies of
+/// their file.
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
+
+/// The strands of a part with a groom, in Kushi's axes. A file that is missing, is no groom, has no
+/// strands, or has diameters where the style has a taper is a problem at the place in the style.
+Result<Strands> groomOf(const Part& part);
 
 /// The head that the style asks for, to draw below its hair; no triangles for "none". A file that
 /// is missing or no head is a problem.

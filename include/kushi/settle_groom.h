@@ -13,7 +13,8 @@ struct GroomSettleOptions {
     Vec3d gravity = {0, -1, 0};     ///< that it is then under, times the earth's
     double weightScale = 1;         ///< > 0; wet hair is about 1.3 times as heavy
     double stiffnessScale = 1;      ///< > 0; of EI and GJ, the natural shape stays
-    double set = 1;   ///< share of the natural shape that stays, in [0, 1]; 0: straight
+    /// Share of the natural shape that stays, in [0, 1], and of what holds it; 0: straight hair.
+    double set = 1;
     int threads = 0;  ///< 0: as many as the machine has
     /// Told the share done, in [0, 1], now and then; may be empty.
     std::function<void(double)> progress;
@@ -25,11 +26,7 @@ struct GroomSettleReport {
     std::vector<StageTime> stages;
     double maxResidual = 0;     ///< of the strands that settled, over EI/L + w L^2/2
     std::size_t unsettled = 0;  ///< strands that did not come to rest
-    std::size_t unstable = 0;   ///< strands that would not hold their shape as they are
-    std::size_t unheld = 0;     ///< of these, what no stiffening tried has held; they fall
-    /// Strands made stiffer so that they hold, and how many times: median and most (1 if none).
-    std::size_t stiffened = 0;
-    double stiffenedMedian = 1, stiffenedMost = 1;
+    SetReport set;
 };
 
 struct SettledStrands {

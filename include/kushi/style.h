@@ -3,6 +3,7 @@
 
 #include <kushi/color.h>
 #include <kushi/ellipsoid.h>
+#include <kushi/groom_io.h>
 #include <kushi/mesh_io.h>
 #include <kushi/result.h>
 
@@ -49,6 +50,19 @@ struct Scalp {
     RootRanges regions = RootRanges(1);
 };
 
+/// A place in the text of a style.
+struct TextPlace {
+    std::string file;
+    int line = 0, column = 0;  ///< from 1; 0 if unknown
+};
+
+/// The strands of a file, which become a part as they are.
+struct GroomSource {
+    std::string path;  ///< for readGroom
+    GroomPlacement placement;
+    TextPlace place;  ///< where the style names the file
+};
+
 /// Direction in which unloaded hair leaves the scalp.
 enum class Growth {
     Normal,  ///< along the ellipsoid's outward normal
@@ -70,7 +84,8 @@ struct Wave {
     double variation = 0.15;  ///< as of Curl
 };
 
-/// What a strand is made of.
+/// What a strand is made of. Lengths, natural shapes and growth are those of hair that grows; the
+/// strands of a groom bring their own.
 struct Hair {
     double length = 0;                       ///< m
     double lengthVariation = 0;              ///< each strand's length varies by up to +- this share
@@ -85,6 +100,8 @@ struct Hair {
     std::optional<Wave> wave;
     Growth growth = Growth::Normal;
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself; dark brown
+    double set =
+        1;  ///< of a groom: share of the shape in its file that stays, in [0, 1]; 0: straight
     double variation = 0.12;  ///< each strand's lightness varies by up to +- this share, in [0, 1]
 
     /// EI of the round section, or what replaces it, times stiffness [N m2].
@@ -121,6 +138,16 @@ struct Force {
     Falloff falloff;
 };
 
+/// A band around hair: strands run close over the scalp to it, go through it, and hang from there.
+/// By equilibrium only, and only of hair that grows.
+struct HairTie {
+    RootRanges roots = RootRanges(1);
+    Vec3d at;               ///< the band's middle [m], outside the scalp's ellipsoid
+    double radius = 0.008;  ///< of the band: strands go through at this distance at most [m]
+    double slack = 0.03;    ///< share by which hair is longer than the shortest way to the band;
+                            ///< that of a strand is between half and one and a half of it
+};
+
 enum class CutMode {
     Hide,    ///< the paper's: what lies beyond is not shown, the shape stays
     Settle,  ///< the shorter hair is bent anew
@@ -145,10 +172,14 @@ struct Cut {
 /// A separately defined body of hair.
 struct Part {
     std::string name;  ///< unique in the style, not empty
-    Scalp scalp;
+    Scalp scalp;       ///< where hair grows; of a groom only the ellipsoid counts
+    /// Instead of hair that grows. The angles of a root are those of its place about the scalp's
+    /// ellipsoid, which is headEllipsoid(); the ellipsoid is in no strand's way.
+    std::optional<GroomSource> groom;
     Hair hair;
     std::vector<Force> forces;
     std::vector<Cut> cuts;
+    std::vector<HairTie> ties;  ///< a strand's is the first that its root meets
 };
 
 enum class Method { Cantilever, Equilibrium };
@@ -174,8 +205,8 @@ struct Style {
 /// Reads and validates a style; on failure every problem found, in the order of the text.
 Result<Style> readStyle(const std::string& path);
 
-/// The same for text already in memory; `file` stands in the problems, and a head's mesh is found
-/// from its folder.
+/// The same for text already in memory; `file` stands in the problems, and the files of heads and
+/// grooms are found from its folder.
 Result<Style> parseStyle(std::string_view text, const std::string& file);
 
 /// A value of the document, in the document's own units.

@@ -44,6 +44,19 @@ Problem outOfMemory(const std::string& path) {
     return {.message = "not enough memory for this groom", .file = path, .system = true};
 }
 
+// Formats are read as centimetres.
+void place(Strands& groom, const GroomPlacement& placement) {
+    const double scale = placement.unit.value_or(0.01) / 0.01;
+    const Vec3d right = cross(placement.front, placement.up);
+    for (Vec3f& node : groom.nodes) {
+        const Vec3d own = node.as<double>();
+        const Vec3d turned = {dot(own, placement.front), dot(own, placement.up), dot(own, right)};
+        node = (scale * turned + placement.offset).as<float>();
+    }
+    for (float& diameter : groom.diameters)
+        diameter = static_cast<float>(scale * diameter);
+}
+
 }  // namespace
 
 bool isGroomPath(const std::string& path) {
@@ -59,6 +72,15 @@ Result<Strands> readGroom(const std::string& path) try {
     return format->parse(*bytes, path);
 } catch (const std::bad_alloc&) {
     return outOfMemory(path);
+}
+
+Result<Strands> readGroom(const std::string& path, const GroomPlacement& placement) {
+    Result<Strands> groom = readGroom(path);
+    if (!groom) return groom;
+    place(*groom, placement);
+    if (!std::ranges::all_of(groom->nodes, isFinite<float>))
+        return badFile(path, "a node lies too far away in this unit");
+    return groom;
 }
 
 Status writeGroom(const Strands& strands, const std::string& path) try {

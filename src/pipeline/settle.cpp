@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
-#include "core/random.h"
+#include "pipeline/groom_part.h"
+#include "pipeline/groom_source.h"
 #include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
 #include "pipeline/settle_part.h"
+#include "pipeline/sources.h"
 #include "pipeline/stopwatch.h"
 
-#include <kushi/follicles.h>
 #include <kushi/head.h>
 #include <kushi/settle.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 namespace kushi {
 
 namespace {
 
-// Strands put together by one thread.
+// Strands settled together by one thread.
 constexpr std::size_t blockSize = 256;
 // How far the drawn inner piece reaches from the follicle towards the ellipsoid's centre, and not
 // past it [m].
 constexpr double innerPiece = 0.02;
+
+// The follicle itself where a groom stands so far off the ellipsoid that the piece would be seen.
+Vec3f innerEnd(const Part& part, Vec3d root) {
+    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
+    const Vec3d inward = ellipsoid.center - root;
+    const double away = length(inward);
+    const double surface = away / std::sqrt(1 + ellipsoid.implicit(root));
+    if (away == 0 || (part.groom && away - surface >= innerPiece)) return root.as<float>();
+    return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
+}
 
 // What a block of consecutive follicles has become.
 struct Block {
@@ -31,61 +41,6 @@ struct Block {
     std::vector<Vec3f> innerEnds;
     double deepest = 0;
 };
-
-std::uint64_t seedOf(const Style& style, const Part& part) {
-    return mixKey(style.seed, textKey(part.name));
-}
-
-// `total` shared out in proportion to `weights`, rounded so that the shares add up to it.
-std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, std::size_t total) {
-    const auto sum =
-        static_cast<double>(std::accumulate(weights.begin(), weights.end(), std::size_t{0}));
-    std::vector<std::size_t> shares;
-    double upTo = 0;
-    std::size_t given = 0;
-    for (const std::size_t weight : weights) {
-        upTo += static_cast<double>(weight);
-        const auto end =
-            static_cast<std::size_t>(std::llround(upTo / sum * static_cast<double>(total)));
-        shares.push_back(end - given);
-        given = end;
-    }
-    return shares;
-}
-
-Result<Follicles> plantMore(const Part& part, std::uint64_t seed, std::size_t count) {
-    Scalp scalp = part.scalp;
-    scalp.spacing.reset();
-    scalp.count = static_cast<int>(count);
-    return plant(scalp, seed);
-}
-
-// The follicles of every part, in all as many as asked for.
-Result<std::vector<Follicles>> plantAll(const Style& style, std::optional<std::size_t> count) {
-    std::vector<Follicles> all;
-    std::vector<std::size_t> sizes;
-    for (const Part& part : style.parts) {
-        Result<Follicles> planted = plant(part.scalp, seedOf(style, part));
-        if (!planted) return planted.problems();
-        sizes.push_back(planted->size());
-        all.push_back(std::move(*planted));
-    }
-    const std::size_t own = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-    if (!count || *count == own || own == 0) return all;
-
-    const std::vector<std::size_t> shares = proportions(sizes, *count);
-    for (std::size_t p = 0; p < all.size(); ++p) {
-        if (shares[p] <= sizes[p]) {
-            all[p] = thin(all[p], shares[p]);
-            continue;
-        }
-        Result<Follicles> more =
-            plantMore(style.parts[p], seedOf(style, style.parts[p]), shares[p]);
-        if (!more) return more.problems();
-        all[p] = std::move(*more);
-    }
-    return all;
-}
 
 void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector<float>& out) {
     double walked = 0;
@@ -107,10 +62,7 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         block.strands.add(nodes, key);
         appendHairColors(part.hair, key, nodes, block.strands.colors);
         appendDiameters(part.hair, nodes, block.strands.diameters);
-        const Vec3d root = follicles.roots[i];
-        const Vec3d inward = ellipsoid.center - root;
-        const double reach = std::min(1.0, innerPiece / length(inward));
-        block.innerEnds.push_back((root + reach * inward).as<float>());
+        block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
         if (measurePenetration) {
             block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
         }
@@ -131,6 +83,11 @@ void append(Strands& to, const Strands& from) {
     append(to.keys, from.keys);
     append(to.diameters, from.diameters);
     append(to.colors, from.colors);
+    // Only grooms have it; other hair is opaque.
+    if (to.transparency.empty() && from.transparency.empty()) return;
+    to.transparency.resize(base);
+    append(to.transparency, from.transparency);
+    to.transparency.resize(to.nodes.size());
 }
 
 // Room for so many more nodes.
@@ -144,6 +101,11 @@ void reserve(Strands& strands, std::size_t more) {
 Status checkMethod(const Style& style, Method method) {
     if (method == Method::Equilibrium) return std::monostate{};
     for (const Part& part : style.parts) {
+        if (part.groom) {
+            return Problem{"the hair of '" + part.name +
+                           "' is a groom, which the cantilever method does not know; settle it by "
+                           "equilibrium (--method equilibrium)"};
+        }
         if (!part.hair.curl && !part.hair.wave && part.hair.taper == 0) continue;
         return Problem{"the hair of '" + part.name +
                        "' is curled, waved or tapered, which the cantilever method does not know; "
@@ -152,58 +114,115 @@ Status checkMethod(const Style& style, Method method) {
     return std::monostate{};
 }
 
+// The parts of a style, settled one after the other into one groom.
+class Settling {
+public:
+    Settling(const Style& style, const SettleOptions& options, Method method, std::size_t all)
+        : style_(style), options_(options), method_(method), all_(static_cast<double>(all)) {}
+
+    Status add(const Part& part, const PartSource& source) {
+        Status added =
+            source.groom ? addGroom(part, *source.groom) : addGrown(part, source.follicles);
+        done_ += source.size();
+        return added;
+    }
+
+    SettledGroom take(double plantTime, double settleTime) {
+        SettleReport& report = groom_.report;
+        report.strands = groom_.strands.size();
+        report.segments = groom_.strands.segmentCount();
+        report.stages.push_back({"plant", plantTime});
+        if (holding_) {
+            report.set = describe(*holding_);
+            report.stages.push_back({"set", setTime_});
+        }
+        report.stages.push_back({"settle", settleTime - setTime_});
+        return std::move(groom_);
+    }
+
+private:
+    Status addGrown(const Part& part, const Follicles& follicles) {
+        const int segments = options_.segments.value_or(style_.solver.segments);
+        const Result<SettledPart> settled =
+            settlePart(style_, part, follicles, method_, segments, options_.threads);
+        if (!settled) return settled.problems();
+        if (method_ == Method::Equilibrium) count(settled->maxResidual, settled->unsettled);
+        std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
+        std::atomic<std::size_t> done{done_};
+        parallelFor(
+            follicles.size(), blockSize, options_.threads, [&](std::size_t begin, std::size_t end) {
+                blocks[begin / blockSize] =
+                    blockOf(part, follicles, *settled, begin, end, options_.measurePenetration);
+                show(static_cast<double>(done += end - begin));
+            });
+        reserve(groom_.strands, settled->nodes.size());
+        double deepest = groom_.report.maxPenetration.value_or(0);
+        for (const Block& block : blocks) {
+            append(groom_.strands, block.strands);
+            append(groom_.innerEnds, block.innerEnds);
+            deepest = std::max(deepest, block.deepest);
+        }
+        if (options_.measurePenetration) groom_.report.maxPenetration = deepest;
+        return std::monostate{};
+    }
+
+    Status addGroom(const Part& part, const Strands& groom) {
+        const auto progress = [&](double share) {
+            show(static_cast<double>(done_) + share * static_cast<double>(groom.size()));
+        };
+        Result<GroomPart> settled =
+            settleGroomPart(style_, part, groom, options_.threads, progress);
+        if (!settled) return atSource(settled.problems()[0], *part.groom);
+        count(settled->maxResidual, settled->unsettled);
+        if (!holding_) holding_.emplace();
+        append(holding_->factors, settled->holding.factors);
+        holding_->unstable += settled->holding.unstable;
+        holding_->unheld += settled->holding.unheld;
+        setTime_ += settled->setTime;
+        append(groom_.strands, settled->strands);
+        for (std::size_t i = 0; i < settled->strands.size(); ++i)
+            groom_.innerEnds.push_back(innerEnd(part, settled->strands.strand(i)[0].as<double>()));
+        return std::monostate{};
+    }
+
+    void count(double residual, std::size_t unsettled) {
+        groom_.report.maxResidual = std::max(groom_.report.maxResidual.value_or(0), residual);
+        groom_.report.unsettled += unsettled;
+    }
+
+    void show(double done) const {
+        if (options_.progress) options_.progress(done / all_);
+    }
+
+    const Style& style_;
+    const SettleOptions& options_;
+    Method method_;
+    double all_;
+    std::size_t done_ = 0;
+    double setTime_ = 0;
+    std::optional<Holding> holding_;
+    SettledGroom groom_;
+};
+
 }  // namespace
 
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     const Method method = options.method.value_or(style.solver.method);
     if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
-    Result<std::vector<Follicles>> planted = plantAll(style, options.count);
-    if (!planted) return planted.problems();
+    const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count);
+    if (!sources) return sources.problems();
     const double plantTime = stopwatch.lap();
 
-    const int segments = options.segments.value_or(style.solver.segments);
     std::size_t all = 0;
-    for (const Follicles& follicles : *planted)
-        all += follicles.size();
-
-    SettledGroom groom;
-    std::atomic<std::size_t> done{0};
-    double deepest = 0;
+    for (const PartSource& source : *sources)
+        all += source.size();
+    Settling settling(style, options, method, all);
     for (std::size_t p = 0; p < style.parts.size(); ++p) {
-        const Part& part = style.parts[p];
-        const Follicles& follicles = (*planted)[p];
-        const Result<SettledPart> settled =
-            settlePart(style, part, follicles, method, segments, options.threads);
-        if (!settled) return settled.problems();
-        groom.report.unsettled += settled->unsettled;
-        if (method == Method::Equilibrium) {
-            groom.report.maxResidual =
-                std::max(groom.report.maxResidual.value_or(0), settled->maxResidual);
-        }
-        std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        parallelFor(
-            follicles.size(), blockSize, options.threads, [&](std::size_t begin, std::size_t end) {
-                blocks[begin / blockSize] =
-                    blockOf(part, follicles, *settled, begin, end, options.measurePenetration);
-                const std::size_t sofar = done += end - begin;
-                if (options.progress) {
-                    options.progress(static_cast<double>(sofar) / static_cast<double>(all));
-                }
-            });
-        reserve(groom.strands, settled->nodes.size());
-        for (const Block& block : blocks) {
-            append(groom.strands, block.strands);
-            append(groom.innerEnds, block.innerEnds);
-            deepest = std::max(deepest, block.deepest);
-        }
+        if (const Status added = settling.add(style.parts[p], (*sources)[p]); !added)
+            return added.problems();
     }
-
-    groom.report.strands = groom.strands.size();
-    groom.report.segments = groom.strands.segmentCount();
-    groom.report.stages = {{"plant", plantTime}, {"settle", stopwatch.lap()}};
-    if (options.measurePenetration) groom.report.maxPenetration = deepest;
-    return groom;
+    return settling.take(plantTime, stopwatch.lap());
 }
 
 Result<Mesh> headOf(const Style& style) {
@@ -217,13 +236,15 @@ Strands withInnerPieces(const SettledGroom& groom) {
     std::vector<Vec3f> nodes;
     for (std::size_t i = 0; i < groom.strands.size(); ++i) {
         const auto visible = groom.strands.strand(i);
-        nodes.assign(1, groom.innerEnds[i]);
+        const bool inner = groom.innerEnds[i] != visible[0];
+        nodes.clear();
+        if (inner) nodes.push_back(groom.innerEnds[i]);
         nodes.insert(nodes.end(), visible.begin(), visible.end());
         strands.add(nodes, groom.strands.keys[i]);
 
         const auto colors =
             std::span(groom.strands.colors).subspan(groom.strands.offsets[i], visible.size());
-        strands.colors.push_back(colors[0]);
+        if (inner) strands.colors.push_back(colors[0]);
         strands.colors.insert(strands.colors.end(), colors.begin(), colors.end());
     }
     return strands;

@@ -3,7 +3,8 @@
 
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
-#include "style/ranges.h"
+#include "pipeline/root_shares.h"
+#include "pipeline/tie_up.h"
 
 #include <kushi/cantilevers.h>
 
@@ -24,18 +25,6 @@ struct Outcome {
     bool settled = true;
 };
 
-std::vector<float> rootShares(const Part& part, const Follicles& follicles,
-                              std::span<const std::uint32_t> which) {
-    std::vector<float> shares;
-    for (const std::uint32_t i : which) {
-        for (const Force& force : part.forces) {
-            shares.push_back(
-                static_cast<float>(share(force.roots, follicles.angles[i], force.falloff.angle)));
-        }
-    }
-    return shares;
-}
-
 class PartInProgress {
 public:
     PartInProgress(const Style& style, const Part& part, const Follicles& follicles, Method method,
@@ -52,15 +41,34 @@ public:
     }
 
     Status settle(std::span<const std::uint32_t> which) {
+        std::vector<std::uint32_t> tied;
+        std::vector<std::uint32_t> loose;
+        std::vector<WayToTie> ways;
+        for (const std::uint32_t i : which) {
+            auto way = wayToTie(part_, follicles_.roots[i], follicles_.angles[i],
+                                follicles_.keys[i], sizes_.lengths[i]);
+            (way ? tied : loose).push_back(i);
+            if (way) ways.push_back(std::move(*way));
+        }
+        if (const Status settled = settle(loose, {}); !settled) return settled;
+        return settle(tied, ways);
+    }
+
+    // Those that no tie holds, or those that go their ways to one.
+    Status settle(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
+        if (which.empty()) return std::monostate{};
         // The walk knows equal segments only.
         const double grading = method_ == Method::Cantilever ? 1 : style_.solver.grading;
-        const Rods rods = grow(part_, follicles_, sizes_, which, grading);
-        const std::vector<float> shares = rootShares(part_, follicles_, which);
+        Rods rods = grow(part_, follicles_, sizes_, which, grading);
+        const std::vector<float> shares =
+            rootShares(part_.forces, picked(follicles_.angles, which));
         RodWorld world;
         world.gravity = style_.gravity;
         world.forces = part_.forces;
         world.rootShares = shares;
         world.obstacle = &part_.scalp.ellipsoid;
+        const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
+        world.ties = ties;
 
         const std::size_t base = settled_.nodes.size();
         settled_.nodes.resize(base + rods.nodeCount());

@@ -144,6 +144,24 @@ Vec3d directionOf(const Frame& frame) {
         Vec3d{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z});
 }
 
+std::vector<Frame> framesAtRest(const Rods& rods, const RestState& state) {
+    std::vector<Frame> frames(rods.offsets.back());
+    const std::vector<std::uint32_t> order = bySegments(rods);
+    for (const Batch& batch : batchesOf(rods, order)) {
+        for (std::size_t place = 0; place < batch.size; ++place) {
+            const std::uint32_t strand = order[batch.first + place];
+            const std::size_t segments = rods.segments(strand);
+            for (std::size_t j = 1; j <= segments; ++j) {
+                const auto number = [&](std::size_t which) {
+                    return state.turns[batch.firstTurn + turnIndex(place, segments, 4, j, which)];
+                };
+                frames[rods.offsets[strand] + j - 1] = {number(0), number(1), number(2), number(3)};
+            }
+        }
+    }
+    return frames;
+}
+
 RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
                       std::span<Vec3f> nodes, const RestOptions& options) {
     const bool knotted =

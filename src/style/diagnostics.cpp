@@ -32,6 +32,11 @@ std::vector<Problem> Diagnostics::take() {
     return std::move(problems_);
 }
 
+TextPlace Diagnostics::place(std::size_t offset) const {
+    const Position position = document_.lines.position(offset);
+    return {file_, position.line, position.column};
+}
+
 std::string Diagnostics::source(const Node& value) const {
     return excerpt(document_.text.substr(value.begin, value.end - value.begin));
 }

@@ -3,7 +3,7 @@
 
 #include "style/document.h"
 
-#include <kushi/result.h>
+#include <kushi/style.h>
 
 #include <string>
 #include <string_view>
@@ -25,6 +25,9 @@ public:
     /// "NAME: found VALUE, expected EXPECTED", and "; HINT" if there is one.
     void unexpected(std::string_view name, const Node& value, const std::string& expected,
                     const std::string& hint = {});
+
+    /// Where a byte offset is, for problems that show up after reading.
+    TextPlace place(std::size_t offset) const;
 
     /// How a value is written in the file, cut short if long.
     std::string source(const Node& value) const;

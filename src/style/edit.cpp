@@ -7,7 +7,6 @@
 #include <kushi/style.h>
 
 #include <algorithm>
-#include <array>
 
 namespace kushi {
 
@@ -37,10 +36,10 @@ const Node* follow(const Node& node, const Step& step) {
 
 // "part[0].hair.length" in a style that has [hair] at the top.
 void dropPart(std::vector<Step>& path, const Node& root) {
-    const std::array tablesOfPart = {Step("scalp"), Step("hair"), Step("force"), Step("cut")};
     if (!keepsPartAtTop(root) || path.size() < 3) return;
     if (path[0] != Step("part") || path[1] != Step(std::size_t{0})) return;
-    if (std::ranges::find(tablesOfPart, path[2]) == tablesOfPart.end()) return;
+    const auto* key = std::get_if<std::string>(&path[2]);
+    if (key == nullptr || std::ranges::find(keysOfPart, *key) == keysOfPart.end()) return;
     path.erase(path.begin(), path.begin() + 2);
 }
 

@@ -11,11 +11,9 @@ namespace {
 
 // Keys of the format that this version does not read yet, in whatever table, and what to do now.
 // When one arrives it moves to the tables of keys.h.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> later = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> later = {{
     {"clump", "leave it out"},
     {"flyaway", "leave it out"},
-    {"set", "leave it out"},
-    {"groom", "plant the hair with [part.scalp]"},
 }};
 
 // Optimal string alignment distance (Damerau 1964): three rows of the usual table.

@@ -14,7 +14,7 @@ namespace kushi {
 /// A kind of table of the style file and the keys it may have.
 struct TableKeys {
     std::string_view label;  ///< as problems name it
-    std::array<std::string_view, 15> slots;
+    std::array<std::string_view, 16> slots;
 
     constexpr std::span<const std::string_view> keys() const {
         std::size_t size = 0;
@@ -28,7 +28,7 @@ namespace tables {
 
 inline constexpr TableKeys top = {"the style",
                                   {"kushi", "name", "seed", "gravity", "head", "solver", "part",
-                                   "scalp", "hair", "force", "cut"}};
+                                   "scalp", "groom", "hair", "force", "cut", "tie"}};
 inline constexpr TableKeys head = {
     "[head]", {"mesh", "unit", "up", "front", "origin", "offset", "landmarks"}};
 inline constexpr TableKeys landmarks = {
@@ -36,29 +36,32 @@ inline constexpr TableKeys landmarks = {
     {"crown", "hairline", "brows", "eyes", "ears", "nose", "lips", "nape", "chin", "shoulders"}};
 inline constexpr TableKeys solver = {"[solver]",
                                      {"method", "segments", "grading", "avoidance_steps"}};
-inline constexpr TableKeys part = {"[[part]]", {"name", "scalp", "hair", "force", "cut"}};
+inline constexpr TableKeys part = {"[[part]]",
+                                   {"name", "scalp", "groom", "hair", "force", "cut", "tie"}};
 inline constexpr TableKeys scalp = {"[part.scalp]",
                                     {"ellipsoid", "spacing", "count", "jitter", "regions"}};
 inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
 inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
+inline constexpr TableKeys groom = {"groom", {"file", "unit", "up", "front", "offset"}};
 inline constexpr TableKeys hair = {
     "[part.hair]",
     {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
      "flexural_rigidity", "stiffness", "growth", "color", "variation", "shear_modulus", "taper",
-     "curl", "wave"}};
+     "curl", "wave", "set"}};
 inline constexpr TableKeys curl = {"curl", {"radius", "pitch", "variation"}};
 inline constexpr TableKeys wave = {"wave", {"amplitude", "length", "variation"}};
 inline constexpr TableKeys force = {"[[part.force]]",
                                     {"roots", "within", "direction", "magnitude", "falloff"}};
 inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode", "falloff"}};
+inline constexpr TableKeys tie = {"[[part.tie]]", {"roots", "at", "radius", "slack"}};
 inline constexpr TableKeys roots = {"roots", {"where", "theta", "phi"}};
 inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {&top,       &head,    &landmarks, &solver, &part, &scalp,
-                                           &ellipsoid, &regions, &hair,      &curl,   &wave, &force,
-                                           &cut,       &roots,   &within,    &falloff};
+inline constexpr const TableKeys* all[] = {
+    &top,  &head, &landmarks, &solver, &part,  &scalp,  &ellipsoid, &regions, &hair,
+    &curl, &wave, &force,     &cut,    &roots, &within, &falloff,   &groom,   &tie};
 
 }  // namespace tables
 

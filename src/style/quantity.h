@@ -48,8 +48,11 @@ inline double fromSrgb(double value) {
 inline constexpr Quantity gravity = {-100, 100, "times the earth's"};
 
 inline constexpr Quantity place = {-1000, 1000, "cm", fromCentimetres};
-/// What one unit of a mesh file is.
-inline constexpr Quantity meshUnit = {1e-4, 1e4, "cm", fromCentimetres};
+/// What one unit of a mesh or strand file is.
+inline constexpr Quantity fileUnit = {1e-4, 1e4, "cm", fromCentimetres};
+/// Of a tie.
+inline constexpr Quantity tieRadius = {0, 10, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
+inline constexpr Quantity slack = {0.005, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 inline constexpr Quantity semiAxis = {0.5, 100, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
 inline constexpr Quantity rotation = {-360, 360, "degrees", radians};
 inline constexpr Quantity spacing = {0.01, 10, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
@@ -73,6 +76,7 @@ inline constexpr Quantity curlSize = {0.05, 50, "cm", fromCentimetres, {{"mm", 0
 inline constexpr Quantity grading = {1, 3, ""};
 
 inline constexpr Quantity color = {0, 1, "", fromSrgb, {{"of 255", 1.0 / 255}}};
+inline constexpr Quantity set = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 inline constexpr Quantity variation = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 
 inline constexpr Quantity direction = {-1000, 1000, ""};

@@ -68,14 +68,33 @@ void readNaturalShape(const TableReader& table, Hair& hair) {
     }
 }
 
+void refuse(const Node& hair, std::string_view key, const std::string& why, Diagnostics& problems) {
+    const Entry* entry = hair.find(key);
+    if (entry != nullptr) problems.add(entry->at, '\'' + entry->key + "' " + why);
+}
+
+void refuseOther(const Node& hair, bool grows, Diagnostics& problems) {
+    if (grows) {
+        refuse(hair, "set",
+               "is for the strands of a groom; hair that grows takes the shape of 'length', 'curl' "
+               "and 'wave'",
+               problems);
+        return;
+    }
+    for (const std::string_view key : {"length", "length_variation", "growth", "curl", "wave"})
+        refuse(hair, key, "is for hair that grows; the strands of a groom are as its file has them",
+               problems);
+}
+
 }  // namespace
 
-Hair readHair(const Node& node, ReadContext& context) {
+Hair readHair(const Node& node, bool grows, ReadContext& context) {
     const TableReader table(node, tables::hair, context);
     Hair hair;
     table.choice<double>("type", {{"fine", 60e-6}, {"medium", 75e-6}, {"coarse", 95e-6}},
                          hair.diameter);
-    table.require("length", "a number of cm, as in length = 25");
+    if (grows) table.require("length", "a number of cm, as in length = 25");
+    refuseOther(node, grows, context.problems);
     table.number("length", quantities::length, hair.length);
     table.number("length_variation", quantities::lengthVariation, hair.lengthVariation);
     table.number("youngs_modulus", quantities::youngsModulus, hair.youngsModulus);
@@ -90,6 +109,7 @@ Hair readHair(const Node& node, ReadContext& context) {
                          hair.growth);
     readColor(table, hair.color);
     table.number("variation", quantities::variation, hair.variation);
+    table.number("set", quantities::set, hair.set);
     return hair;
 }
 

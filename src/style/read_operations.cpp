@@ -150,4 +150,15 @@ Cut readCut(const Node& node, ReadContext& context) {
     return cut;
 }
 
+HairTie readTie(const Node& node, ReadContext& context) {
+    const TableReader table(node, tables::tie, context);
+    HairTie tie;
+    readRoots(table, tie.roots);
+    table.require("at", "at = [-11, 4, 0]");
+    table.vector("at", quantities::place, tie.at);
+    table.number("radius", quantities::tieRadius, tie.radius);
+    table.number("slack", quantities::slack, tie.slack);
+    return tie;
+}
+
 }  // namespace kushi

@@ -5,6 +5,7 @@
 
 #include <kushi/style.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -13,19 +14,26 @@ namespace kushi {
 // One function per table of the style file. What is wrong is reported to the context, and leaves a
 // value that must not be used.
 
-/// Also the heights of the head's landmarks, in the context. A relative path of a mesh starts from
-/// `folder`.
-void readHead(const Node& node, const std::string& folder, ReadContext& context, Style& style);
+/// Also the heights of the head's landmarks, in the context.
+void readHead(const Node& node, ReadContext& context, Style& style);
 Scalp readScalp(const Node& node, ReadContext& context);
-Hair readHair(const Node& node, ReadContext& context);
+/// A path, or a table of a path and how its numbers are meant.
+GroomSource readGroomSource(const Entry& entry, ReadContext& context);
+/// What hair that grows needs and the strands of a groom must not have, and the other way round.
+Hair readHair(const Node& node, bool grows, ReadContext& context);
 Force readForce(const Node& node, ReadContext& context);
 Cut readCut(const Node& node, ReadContext& context);
+HairTie readTie(const Node& node, ReadContext& context);
 
 /// { theta = [low, high], phi = [low, high] }, either of which may be left out, or
 /// { where = "fringe" } with the name of a zone of the built-in head.
 RootRanges readRootRanges(const Node& node, const TableKeys& kind, ReadContext& context);
 /// { x = [low, high], y = ..., z = ... }, any of which may be left out.
 Box readBox(const Node& node, ReadContext& context);
+
+/// What a part has, which may stand at the top where there is only one.
+inline constexpr std::array<std::string_view, 6> keysOfPart = {"scalp", "groom", "hair",
+                                                               "force", "cut",   "tie"};
 
 /// Whether the document keeps its only part's tables at the top: [hair] instead of [part.hair].
 bool keepsPartAtTop(const Node& root);

@@ -2,6 +2,9 @@
 #include "style/read_parts.h"
 #include "style/source_check.h"
 
+#include <kushi/head.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -56,29 +59,51 @@ Solver readSolver(const Node& node, ReadContext& context) {
 }
 
 // What the paper's walk does not know.
-void refuseInWalk(const Node& hair, Diagnostics& problems) {
-    for (const std::string_view key : {"curl", "wave", "taper"}) {
-        const Entry* entry = hair.find(key);
-        if (entry == nullptr) continue;
-        problems.add(entry->at, '\'' + std::string(key) +
-                                    "' is not for the cantilever method; write method = "
-                                    "\"equilibrium\" in [solver]");
+void refuseInWalk(const Entry& entry, Diagnostics& problems) {
+    problems.add(entry.at, '\'' + entry.key +
+                               "' is not for the cantilever method; write method = "
+                               "\"equilibrium\" in [solver]");
+}
+
+void readTies(const TableReader& table, Part& part) {
+    ReadContext& context = table.context();
+    for (const Node* node : table.tables("tie", tables::tie)) {
+        const HairTie tie = readTie(*node, context);
+        if (part.groom) {
+            context.problems.add(node->begin,
+                                 "a tie is for hair that grows; a groom stays where it is");
+        } else if (part.scalp.ellipsoid.implicit(tie.at) <= 0) {
+            context.problems.add(node->begin,
+                                 "the tie lies inside the scalp's ellipsoid, where no hair goes; "
+                                 "move `at` away from its centre");
+        }
+        part.ties.push_back(tie);
     }
+    if (const Entry* entry = table.node().find("tie"); entry != nullptr && context.walks)
+        refuseInWalk(*entry, context.problems);
 }
 
 // The tables of a part, which stand in [[part]] or, where there is only one, at the top.
 Part readTables(const TableReader& table) {
     ReadContext& context = table.context();
     Part part;
-    const bool grown = table.find("groom") != nullptr;  // refused, and then needs no scalp
-    if (!grown) table.require("scalp", context.label(tables::scalp));
+    table.requireOne("scalp", "groom", context.label(tables::scalp));
+    const bool grows = table.has("scalp") || !table.has("groom");
     if (const Node* scalp = table.table("scalp", tables::scalp)) {
         part.scalp = readScalp(*scalp, context);
     }
-    table.require("hair", context.label(tables::hair));
+    if (const Entry* groom = table.node().find("groom")) {
+        part.groom = readGroomSource(*groom, context);
+        part.scalp.ellipsoid = headEllipsoid();
+        if (context.walks) refuseInWalk(*groom, context.problems);
+    }
+    if (grows) table.require("hair", context.label(tables::hair));
     if (const Node* hair = table.table("hair", tables::hair)) {
-        part.hair = readHair(*hair, context);
-        if (context.walks) refuseInWalk(*hair, context.problems);
+        part.hair = readHair(*hair, grows, context);
+        for (const char* key : {"curl", "wave", "taper"}) {
+            const Entry* entry = hair->find(key);
+            if (entry != nullptr && grows && context.walks) refuseInWalk(*entry, context.problems);
+        }
     }
     for (const Node* force : table.tables("force", tables::force)) {
         part.forces.push_back(readForce(*force, context));
@@ -86,6 +111,7 @@ Part readTables(const TableReader& table) {
     for (const Node* cut : table.tables("cut", tables::cut)) {
         part.cuts.push_back(readCut(*cut, context));
     }
+    readTies(table, part);
     return part;
 }
 
@@ -126,7 +152,7 @@ void readParts(const TableReader& top, Style& style) {
         }
         return;
     }
-    for (const std::string_view key : {"scalp", "hair", "force", "cut"}) {
+    for (const std::string_view key : keysOfPart) {
         if (const Entry* entry = top.node().find(key)) {
             context.problems.add(entry->value.begin,
                                  '\'' + std::string(key) +
@@ -145,7 +171,7 @@ void readParts(const TableReader& top, Style& style) {
     }
 }
 
-void readTop(const TableReader& table, const std::string& folder, Style& style) {
+void readTop(const TableReader& table, Style& style) {
     table.text("name", style.name);
     if (const auto seed = table.whole("seed", 0, std::numeric_limits<std::int64_t>::max())) {
         style.seed = static_cast<std::uint64_t>(*seed);
@@ -153,7 +179,7 @@ void readTop(const TableReader& table, const std::string& folder, Style& style) 
     table.vector("gravity", quantities::gravity, style.gravity);
     // Before the parts, wherever it stands: they name heights of the head.
     if (const Node* head = table.table("head", tables::head)) {
-        readHead(*head, folder, table.context(), style);
+        readHead(*head, table.context(), style);
     }
     if (const Node* solver = table.table("solver", tables::solver)) {
         style.solver = readSolver(*solver, table.context());
@@ -184,8 +210,8 @@ Result<std::string> readText(const std::string& path) {
 
 bool keepsPartAtTop(const Node& root) {
     if (root.find("part") != nullptr) return false;
-    return root.find("scalp") != nullptr || root.find("hair") != nullptr ||
-           root.find("force") != nullptr || root.find("cut") != nullptr;
+    return std::ranges::any_of(keysOfPart,
+                               [&](std::string_view key) { return root.find(key) != nullptr; });
 }
 
 Result<Style> parseStyle(std::string_view text, const std::string& file) {
@@ -193,11 +219,11 @@ Result<Style> parseStyle(std::string_view text, const std::string& file) {
     if (!document) return document.problems();
 
     Diagnostics problems(*document, file);
-    ReadContext context = {problems, keepsPartAtTop(document->root), {}, true};
+    const std::string folder = std::filesystem::path(file).parent_path();
+    ReadContext context = {problems, keepsPartAtTop(document->root), folder, {}, true};
     Style style;
     if (readVersion(document->root, problems)) {
-        const std::string folder = std::filesystem::path(file).parent_path();
-        readTop(TableReader(document->root, tables::top, context), folder, style);
+        readTop(TableReader(document->root, tables::top, context), style);
     }
     if (!problems.empty()) return problems.take();
     return style;

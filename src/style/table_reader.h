@@ -24,6 +24,7 @@ namespace kushi {
 struct ReadContext {
     Diagnostics& problems;
     bool partAtTop = false;  ///< [hair] stands for [part.hair]
+    std::string folder;      ///< where relative paths start
     Heights heights;         ///< of the head's landmarks
     bool walks = true;       ///< the method is the cantilever's
 

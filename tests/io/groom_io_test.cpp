@@ -55,6 +55,32 @@ TEST_F(GroomIo, WritesEachFormatAndReadsItBack) {
     EXPECT_EQ(test::readBytes(path("a.hair")), test::readBytes(path("A.HAIR")));
 }
 
+// In millimetres, x up, the face along -y: the person's right is then -y cross x, which is z.
+TEST_F(GroomIo, PutsAGroomInItsPlace) {
+    Strands strands;
+    strands.add(std::vector<Vec3f>{{0, 0, 0}, {0.5F, -0.25F, 0.125F}}, 0);
+    strands.diameters = {1e-3F, 2e-3F};
+    ASSERT_TRUE(writeGroom(strands, path("a.ply")).ok());
+    GroomPlacement placement;
+    placement.unit = 0.001;
+    placement.up = {1, 0, 0};
+    placement.front = {0, -1, 0};
+    placement.offset = {1, 2, 3};
+    const Result<Strands> placed = readGroom(path("a.ply"), placement);
+    ASSERT_TRUE(placed.ok());
+    EXPECT_EQ(placed->nodes[0], (Vec3f{1, 2, 3}));
+    EXPECT_LT(length(placed->nodes[1] - Vec3f{1.025F, 2.05F, 3.0125F}), 1e-6F);
+    EXPECT_NEAR(placed->diameters[1], 2e-4, 1e-9);
+    EXPECT_EQ(readGroom(path("a.ply"), {})->nodes, strands.nodes);
+
+    strands.nodes[1].x = 1e30F;
+    ASSERT_TRUE(writeGroom(strands, path("far.ply")).ok());
+    placement.unit = 1e10;
+    const Result<Strands> far = readGroom(path("far.ply"), placement);
+    ASSERT_FALSE(far.ok());
+    EXPECT_THAT(far.problems()[0].message, HasSubstr("too far away in this unit"));
+}
+
 TEST_F(GroomIo, AnUnknownExtensionIsRefusedBeforeTheDiskIsTouched) {
     const Result<Strands> read = readGroom(path("a.abc"));
     ASSERT_FALSE(read.ok());

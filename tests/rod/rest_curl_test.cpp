@@ -112,6 +112,29 @@ double outOfPlane(double gamma, int segments) {
     return largest;
 }
 
+// The frames at rest are where a solve begins that has nothing left to do; of strands of several
+// sizes, so that they are not in order.
+TEST(RestCurl, ARodThatStartsWhereItRestsStaysThere) {
+    Rods rods;
+    for (const int segments : {24, 9, 24, 17, 9}) {
+        addRod(rods, frameAlong(normalized(Vec3d{1, 0.2, 0.1 * segments})), 30, segments);
+        rest::curl(rods, {6, 0.2 * segments, 2});
+    }
+    RodWorld world;
+    RestState state;
+    std::vector<Vec3f> nodes(rods.nodeCount());
+    EXPECT_TRUE(settleRods(rods, world, state, nodes).unsettled.empty());
+    rods.starts = framesAtRest(rods, state);
+    ASSERT_EQ(rods.starts.size(), rods.offsets.back());
+    std::vector<Vec3f> again(rods.nodeCount());
+    RestState anew;
+    RestOptions nothing;
+    nothing.tolerance = 0.01;  // any other start would be left at once
+    EXPECT_TRUE(settleRods(rods, world, anew, again, nothing).unsettled.empty());
+    for (std::size_t i = 0; i < rods.size(); ++i)
+        EXPECT_LT(rest::gap(rods, i, nodes, again), 1e-4) << i;
+}
+
 TEST(RestCurl, ACurlLeavesItsPlaneAtTheBendTwistBoundary) {
     for (const auto& [segments, tolerance] : {std::pair{25, 0.02}, std::pair{80, 0.003}}) {
         double low = 300;

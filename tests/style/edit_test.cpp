@@ -163,6 +163,23 @@ TEST(StyleEdits, RoundTripThroughTheReader) {
     EXPECT_EQ(parseStyle(*seeded, "f")->seed, 9223372036854775807U);
 }
 
+TEST(StyleEdits, ReachAGroomAndItsSet) {
+    const std::string style =
+        "kushi = 1\ngroom = \"a.hair\" # scan\n[solver]\nmethod = \"equilibrium\"\n[hair]\n";
+    const auto other = withValue(style, "part[0].groom", std::string("b.ply"));
+    ASSERT_TRUE(other) << toString(other.problems()[0]);
+    EXPECT_EQ(*other, replaced(style, "\"a.hair\"", "\"b.ply\""));
+    const auto softer = withValue(style, "part[0].hair.set", 0.5);
+    ASSERT_TRUE(softer) << toString(softer.problems()[0]);
+    EXPECT_EQ(*softer, style + "set = 0.5\n");
+
+    const std::string placed = replaced(style, "\"a.hair\"", "{ file = \"a.hair\" }");
+    const auto scaled = withValue(placed, "part[0].groom.unit", std::string("mm"));
+    ASSERT_TRUE(scaled) << toString(scaled.problems()[0]);
+    EXPECT_EQ(*scaled, replaced(placed, "\"a.hair\" }", "\"a.hair\", unit = \"mm\" }"));
+    EXPECT_FALSE(withValue(style, "part[0].hair.length", 10.0));
+}
+
 TEST(StyleEdits, OfTheSameValueTwiceChangeNothingMore) {
     const auto once = withValue(base(), "part[0].force[0].magnitude", 0.5);
     ASSERT_TRUE(once);

@@ -154,7 +154,7 @@ const Malformed missing[] = {
     {"@@", {"no 'kushi'", "the style has no hair"}},
     {"@kushi = 1\n" + scalpTable, {"the style has no 'hair', expected [hair]"}},
     {"kushi = 1\n@[[part]]\n[part.hair]\nlength = 25\n",
-     {"[[part]] has no 'scalp', expected [part.scalp]"}},
+     {"[[part]] has neither 'scalp' nor 'groom', expected one of them, as in [part.scalp]"}},
     {"kushi = 1\n@[[part]]\n[part.scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\ncount = 1\n",
      {"[[part]] has no 'hair', expected [part.hair]"}},
     {"kushi = 1\n" + scalpTable + "  @[hair]\ntype = \"fine\"\n",
@@ -354,10 +354,49 @@ const Malformed natural[] = {
 };
 INSTANTIATE_TEST_SUITE_P(NaturalShapes, MalformedStyle, testing::ValuesIn(natural));
 
+// A style of a groom that is right but for what is written.
+std::string withGroom(const std::string& value, const std::string& hair = "") {
+    return "kushi = 1\n[solver]\nmethod = \"equilibrium\"\n[[part]]\ngroom = " + value +
+           "\n[part.hair]\n" + hair + "\n";
+}
+
+const Malformed grooms[] = {
+    {"kushi = 1\n[[part]]\n@groom = \"scan.hair\"\n",
+     {"'groom' is not for the cantilever method; write method = \"equilibrium\" in [solver]"}},
+    {"kushi = 1\n@groom = \"scan.hair\"\n[solver]\nmethod = \"cantilever\"\n",
+     {"'groom' is not for the cantilever method"}},
+    {"kushi = 1\ngroom = \"scan.hair\"\n" + rest + "[@" + scalpTable.substr(1) + hairTable,
+     {"found both 'scalp' and 'groom', expected one of them"}},
+    {"kushi = 1\ngroom = @\"scan.hair\"\n" + rest + "[[part]]\ngroom = \"scan.hair\"\n",
+     {"'groom' stands at the top, but the style has [[part]]"}},
+    {withGroom("@5"), {"groom: found 5, expected a file of strands that ends in .hair, .ply"}},
+    {withGroom("@\"\""), {"groom: found the string \"\", expected a file of strands"}},
+    {withGroom("@\"scan.abc\""), {"groom: found the string \"scan.abc\", expected a file"}},
+    {withGroom("@{ unit = \"mm\" }"), {"groom has no 'file', expected the path of its strands"}},
+    {withGroom("{ file = @\"scan\" }"), {"file: found the string \"scan\", expected a file"}},
+    {withGroom("{ file = @7 }"), {"file: found 7, expected a file of strands"}},
+    {withGroom("{ file = \"a.ply\", @units = \"mm\" }"), {"in groom; did you mean 'unit'?"}},
+    {withGroom("{ file = \"a.ply\", unit = @\"ft\" }"), {"unit: found the string \"ft\""}},
+    {withGroom("{ file = \"a.ply\", unit = @0 }"), {"from 0.0001 to 10000 cm"}},
+    {withGroom("{ file = \"a.ply\", up = @\"w\" }"), {"up: found the string \"w\""}},
+    {withGroom("{ file = \"a.ply\", up = @\"-x\" }"),
+     {"up and front lie along the same axis of the file (they are \"y\" and \"x\" where"}},
+    {withGroom("{ file = \"a.ply\", offset = @[1, 2] }"), {"offset: found an array of 2"}},
+    {withGroom("\"a.ply\"", "@length = 25\n@length_variation = 0.1\n@growth = \"radial\""),
+     {"'length' is for hair that grows; the strands of a groom are as its file has them",
+      "'length_variation' is for hair that grows", "'growth' is for hair that grows"}},
+    {withGroom("\"a.ply\"", "@curl = { radius = 1, pitch = 1 }"),
+     {"'curl' is for hair that grows"}},
+    {withGroom("\"a.ply\"", "@wave = { amplitude = 1, length = 1 }"),
+     {"'wave' is for hair that grows"}},
+    {withGroom("\"a.ply\"", "set = @1.5"), {"set: found 1.5, expected a number from 0 to 1"}},
+    {withGroom("\"a.ply\"", "set = @50"), {"50 % would be 0.5"}},
+    {inHair("@set = 1"), {"'set' is for the strands of a groom; hair that grows takes the shape"}},
+};
+INSTANTIATE_TEST_SUITE_P(Grooms, MalformedStyle, testing::ValuesIn(grooms));
+
 const Malformed later[] = {
     {inHair("@clump = 1\n@flyaway = 0.5"), {"'clump' is not there", "'flyaway' is not there"}},
-    {"kushi = 1\n[[part]]\n@groom = \"scan.hair\"\n[part.hair]\nlength = 25\n",
-     {"'groom' is not there yet in this version; plant the hair with [part.scalp]"}},
 };
 INSTANTIATE_TEST_SUITE_P(LaterKeys, MalformedStyle, testing::ValuesIn(later));
 

@@ -79,8 +79,10 @@ TEST(Manual, HasTheRangesThatAreChecked) {
     };
     const Checked checked[] = {
         {tables::top, "gravity", quantities::gravity},
-        {tables::head, "unit", quantities::meshUnit},
+        {tables::head, "unit", quantities::fileUnit},
         {tables::head, "offset", quantities::place},
+        {tables::groom, "unit", quantities::fileUnit},
+        {tables::groom, "offset", quantities::place},
         {tables::landmarks, "brows", quantities::place},
         {tables::scalp, "spacing", quantities::spacing},
         {tables::scalp, "jitter", quantities::jitter},
@@ -107,6 +109,7 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::wave, "amplitude", quantities::curlSize},
         {tables::wave, "length", quantities::curlSize},
         {tables::wave, "variation", quantities::lengthVariation},
+        {tables::hair, "set", quantities::set},
         {tables::hair, "color", quantities::color},
         {tables::hair, "variation", quantities::variation},
         {tables::force, "magnitude", quantities::magnitude},
@@ -149,7 +152,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 4);
+    EXPECT_EQ(examples, 5);
 }
 
 }  // namespace

@@ -45,6 +45,15 @@ keep = [[-4, 2.0],
 mode = """hide"""
 )";
 
+const std::string scanned = R"(kushi = 1
+[solver]
+method = "equilibrium"
+[[part]]
+groom = { file = "a.hair", unit = "mm", up = "z", front = "-y", offset = [0, 1, 2] }
+hair.set = 0.5
+hair.stiffness = 2
+)";
+
 /// One small random damage after another; the same ones on every machine.
 class Mutator {
 public:
@@ -120,6 +129,7 @@ bool isSound(const Problem& problem, const std::string& text) {
 
 bool isSound(const Style& style) {
     return !style.parts.empty() && std::ranges::all_of(style.parts, [](const Part& part) {
+        if (part.groom) return !part.groom->path.empty();
         return std::isfinite(part.hair.rigidity()) && part.hair.length > 0 &&
                isFinite(part.scalp.ellipsoid.semiAxes) && !part.scalp.regions.empty() &&
                part.scalp.spacing.has_value() != part.scalp.count.has_value();
@@ -128,10 +138,11 @@ bool isSound(const Style& style) {
 
 TEST(Mutations, GiveASoundStyleOrSoundProblems) {
     ASSERT_TRUE(parseStyle(whole, "f"));
+    ASSERT_TRUE(parseStyle(scanned, "f"));
     Mutator mutator(1992);
     int valid = 0;
-    for (int i = 0; i < 6000; ++i) {
-        const std::string text = mutator.mutate(whole);
+    for (int i = 0; i < 8000; ++i) {
+        const std::string text = mutator.mutate(i % 4 == 0 ? scanned : whole);
         const auto style = parseStyle(text, "f");
         if (style) {
             ++valid;

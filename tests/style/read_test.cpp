@@ -466,6 +466,7 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::scalp, "[scalp]\n"},
         {&tables::ellipsoid, "[scalp.ellipsoid]\n"},
         {&tables::regions, "[[scalp.regions]]\n"},
+        {&tables::groom, "[groom]\n"},
         {&tables::hair, "[hair]\n"},
         {&tables::curl, "[hair.curl]\n"},
         {&tables::wave, "[hair.wave]\n"},
@@ -487,6 +488,59 @@ TEST(Style, EveryKnownKeyIsRead) {
                 << table->label;
         }
     }
+}
+
+Style read(const std::string& text) {
+    const auto style = parseStyle("kushi = 1\n" + text, "styles/a.toml");
+    EXPECT_TRUE(style) << toString(style.problems()[0]);
+    return style ? *style : Style();
+}
+
+const std::string atRest = "[solver]\nmethod = \"equilibrium\"\n";
+
+TEST(ReadStyle, FindsAGroomBesideTheStyle) {
+    const Style style = read(atRest + "[[part]]\n  groom = \"scan.HAIR\"\n");
+    const Part& part = style.parts.at(0);
+    ASSERT_TRUE(part.groom);
+    EXPECT_EQ(part.groom->path, "styles/scan.HAIR");
+    EXPECT_EQ(part.groom->place.file, "styles/a.toml");
+    EXPECT_EQ(part.groom->place.line, 5);
+    EXPECT_EQ(part.groom->place.column, 3);
+    EXPECT_FALSE(part.groom->placement.unit);
+    EXPECT_EQ(part.groom->placement.up, (Vec3d{0, 1, 0}));
+    EXPECT_EQ(part.groom->placement.front, (Vec3d{1, 0, 0}));
+    EXPECT_EQ(part.hair.set, 1);
+    EXPECT_EQ(part.scalp.ellipsoid.semiAxes, headEllipsoid().semiAxes);
+    EXPECT_EQ(part.scalp.ellipsoid.rotateZ, headEllipsoid().rotateZ);
+}
+
+TEST(ReadStyle, PutsAGroomInItsPlace) {
+    const Style style = read(
+        "groom = { file = \"/scans/me.ply\", unit = \"mm\", up = \"x\", front = \"-y\", "
+        "offset = [1, 2, 3] }\n" +
+        atRest + "[hair]\nset = 0.5\ndensity = 2\ndiameter = 60\ntaper = 0.3\n");
+    const Part& part = style.parts.at(0);
+    ASSERT_TRUE(part.groom);
+    EXPECT_EQ(part.groom->path, "/scans/me.ply");
+    EXPECT_EQ(part.groom->placement.unit, 0.001);
+    EXPECT_EQ(part.groom->placement.up, (Vec3d{1, 0, 0}));
+    EXPECT_EQ(part.groom->placement.front, (Vec3d{0, -1, 0}));
+    EXPECT_EQ(part.groom->placement.offset, (Vec3d{0.01, 0.02, 0.03}));
+    EXPECT_EQ(part.hair.set, 0.5);
+    EXPECT_EQ(part.hair.density, 2000);
+    EXPECT_EQ(part.hair.diameter, 60e-6);
+    EXPECT_EQ(part.hair.taper, 0.3);
+    EXPECT_EQ(part.name, "hair");
+}
+
+TEST(ReadStyle, ReadsAGroomByItsOwnHeaderBesideHairThatGrows) {
+    const Style style = read(atRest +
+                             "[[part]]\n[part.groom]\nfile = \"a.obj\"\nunit = 2.5\n[[part]]\n"
+                             "[part.scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\ncount = 5\n"
+                             "[part.hair]\nlength = 25\n");
+    ASSERT_EQ(style.parts.size(), 2U);
+    EXPECT_EQ(style.parts[0].groom->placement.unit, 0.025);
+    EXPECT_FALSE(style.parts[1].groom);
 }
 
 TEST(ReadStyle, ReadsNaturalShapesInMetres) {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/sources.h"
+
+#include "core/random.h"
+#include "pipeline/groom_source.h"
+#include "pipeline/spread.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace kushi {
+
+namespace {
+
+std::uint64_t seedOf(const Style& style, const Part& part) {
+    return mixKey(style.seed, textKey(part.name));
+}
+
+// `total` shared out in proportion to `weights`, rounded so that the shares add up to it.
+std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, std::size_t total) {
+    const auto sum =
+        static_cast<double>(std::accumulate(weights.begin(), weights.end(), std::size_t{0}));
+    std::vector<std::size_t> shares;
+    double upTo = 0;
+    std::size_t given = 0;
+    for (const std::size_t weight : weights) {
+        upTo += static_cast<double>(weight);
+        const auto end =
+            static_cast<std::size_t>(std::llround(upTo / sum * static_cast<double>(total)));
+        shares.push_back(end - given);
+        given = end;
+    }
+    return shares;
+}
+
+Result<PartSource> sourceOf(const Part& part, std::uint64_t seed) {
+    if (part.groom) {
+        Result<Strands> groom = groomOf(part);
+        if (!groom) return groom.problems();
+        complete(*groom, part.hair, seed);
+        return PartSource{{}, std::move(*groom)};
+    }
+    Result<Follicles> planted = plant(part.scalp, seed);
+    if (!planted) return planted.problems();
+    return PartSource{std::move(*planted), {}};
+}
+
+Strands thinned(const Strands& groom, std::size_t count) {
+    std::vector<Vec3f> roots;
+    for (std::size_t i = 0; i < groom.size(); ++i)
+        roots.push_back(groom.strand(i)[0]);
+    return subset(groom, spreadSubset(roots, count));
+}
+
+// With another number of strands.
+Result<PartSource> resized(PartSource source, const Part& part, std::uint64_t seed,
+                           std::size_t count) {
+    if (source.groom) return PartSource{{}, thinned(*source.groom, count)};
+    if (count <= source.size()) return PartSource{thin(source.follicles, count), {}};
+    Part more = part;
+    more.scalp.spacing.reset();
+    more.scalp.count = static_cast<int>(count);
+    return sourceOf(more, seed);
+}
+
+}  // namespace
+
+Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count) {
+    std::vector<PartSource> all;
+    std::vector<std::size_t> sizes;
+    for (const Part& part : style.parts) {
+        Result<PartSource> source = sourceOf(part, seedOf(style, part));
+        if (!source) return source.problems();
+        sizes.push_back(source->size());
+        all.push_back(std::move(*source));
+    }
+    const std::size_t own = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+    if (!count || *count == own || own == 0) return all;
+
+    const std::vector<std::size_t> shares = proportions(sizes, *count);
+    for (std::size_t p = 0; p < all.size(); ++p) {
+        const Part& part = style.parts[p];
+        Result<PartSource> source =
+            resized(std::move(all[p]), part, seedOf(style, part), shares[p]);
+        if (!source) return source.problems();
+        all[p] = std::move(*source);
+    }
+    return all;
+}
+
+}  // namespace kushi

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/follicles.h>
+#include <kushi/strands.h>
+
+#include <optional>
+
+namespace kushi {
+
+/// What a part's hair comes from.
+struct PartSource {
+    Follicles follicles;           ///< of hair that grows
+    std::optional<Strands> groom;  ///< else; with keys, diameters and colours
+
+    std::size_t size() const { return groom ? groom->size() : follicles.size(); }
+};
+
+/// The sources of every part, with as many strands in all as asked for: in proportion to what the
+/// parts have, but no more of a groom than its file has.
+Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count);
+
+}  // namespace kushi

@@ -3,7 +3,6 @@
 
 #include <kushi/rods.h>
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

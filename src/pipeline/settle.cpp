@@ -106,6 +106,11 @@ Status checkMethod(const Style& style, Method method) {
                            "' is a groom, which the cantilever method does not know; settle it by "
                            "equilibrium (--method equilibrium)"};
         }
+        if (!part.ties.empty()) {
+            return Problem{"the hair of '" + part.name +
+                           "' is tied, which the cantilever method does not know; settle it by "
+                           "equilibrium (--method equilibrium)"};
+        }
         if (!part.hair.curl && !part.hair.wave && part.hair.taper == 0) continue;
         return Problem{"the hair of '" + part.name +
                        "' is curled, waved or tapered, which the cantilever method does not know; "

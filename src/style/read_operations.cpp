@@ -153,6 +153,7 @@ Cut readCut(const Node& node, ReadContext& context) {
 HairTie readTie(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::tie, context);
     HairTie tie;
+    tie.at.x = std::numeric_limits<double>::quiet_NaN();
     readRoots(table, tie.roots);
     table.require("at", "at = [-11, 4, 0]");
     table.vector("at", quantities::place, tie.at);

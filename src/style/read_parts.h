@@ -23,6 +23,7 @@ GroomSource readGroomSource(const Entry& entry, ReadContext& context);
 Hair readHair(const Node& node, bool grows, ReadContext& context);
 Force readForce(const Node& node, ReadContext& context);
 Cut readCut(const Node& node, ReadContext& context);
+/// Its place is not finite where it could not be read.
 HairTie readTie(const Node& node, ReadContext& context);
 
 /// { theta = [low, high], phi = [low, high] }, either of which may be left out, or

@@ -72,7 +72,7 @@ void readTies(const TableReader& table, Part& part) {
         if (part.groom) {
             context.problems.add(node->begin,
                                  "a tie is for hair that grows; a groom stays where it is");
-        } else if (part.scalp.ellipsoid.implicit(tie.at) <= 0) {
+        } else if (isFinite(tie.at) && part.scalp.ellipsoid.implicit(tie.at) <= 0) {
             context.problems.add(node->begin,
                                  "the tie lies inside the scalp's ellipsoid, where no hair goes; "
                                  "move `at` away from its centre");

@@ -393,6 +393,24 @@ const Malformed grooms[] = {
     {withGroom("\"a.ply\"", "set = @50"), {"50 % would be 0.5"}},
     {inHair("@set = 1"), {"'set' is for the strands of a groom; hair that grows takes the shape"}},
 };
+// A style at rest, with a tie.
+std::string withTie(const std::string& lines) {
+    return "kushi = 1\n[solver]\nmethod = \"equilibrium\"\n" + scalpTable + hairTable +
+           "[[tie]]\n" + lines + "\n";
+}
+
+const Malformed ties[] = {
+    {"kushi = 1\n" + scalpTable + hairTable + "[[@tie]]\nat = [-12, 4, 0]\n",
+     {"'tie' is not for the cantilever method; write method = \"equilibrium\" in [solver]"}},
+    {withTie("at = @4"), {"at: found 4, expected an array of 3, each a number"}},
+    {"kushi = 1\n[solver]\nmethod = \"equilibrium\"\n" + scalpTable + hairTable +
+         "@[[tie]]\nat = [-5, 4, 0]\n",
+     {"the tie lies inside the scalp's ellipsoid"}},
+    {withTie("at = [-12, 4, 0]\nradius = @20"), {"radius: found 20, expected"}},
+    {withTie("at = [-12, 4, 0]\nslack = @0"), {"slack: found 0, expected"}},
+    {withTie("at = [-12, 4, 0]\n@width = 1"), {"unknown key 'width' in [[tie]]"}},
+};
+INSTANTIATE_TEST_SUITE_P(Ties, MalformedStyle, testing::ValuesIn(ties));
 INSTANTIATE_TEST_SUITE_P(Grooms, MalformedStyle, testing::ValuesIn(grooms));
 
 const Malformed later[] = {

@@ -152,7 +152,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 5);
+    EXPECT_EQ(examples, 6);
 }
 
 }  // namespace

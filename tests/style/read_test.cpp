@@ -472,6 +472,7 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::wave, "[hair.wave]\n"},
         {&tables::force, "[[force]]\n"},
         {&tables::cut, "[[cut]]\n"},
+        {&tables::tie, "[[tie]]\n"},
         {&tables::roots, "[[cut]]\n[cut.roots]\n"},
         {&tables::within, "[[force]]\n[force.within]\n"},
         {&tables::falloff, "[[force]]\n[force.falloff]\n"},

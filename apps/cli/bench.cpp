@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "core/parallel.h"
+#include "core/random.h"
 #include "messages.h"
 #include "pipeline/grow.h"
+#include "pipeline/root_shares.h"
 #include "rod/strand_batch.h"
 
 #include <kushi/cantilevers.h>
@@ -56,10 +58,10 @@ double time(int runs, const std::function<void()>& prepare, const std::function<
 }
 
 // Medium hair all over the mannequin's scalp.
-Part headOfHair(bool curly) {
+Part headOfHair(bool curly, int strands = strandCount) {
     Part part;
     part.scalp.ellipsoid = headEllipsoid();
-    part.scalp.count = strandCount;
+    part.scalp.count = strands;
     part.scalp.regions.clear();
     for (const AngleRange& range : hairRegion()) {
         part.scalp.regions.push_back(
@@ -90,11 +92,92 @@ public:
         return timings_;
     }
 
+    // How time grows with strands, and with segments.
+    std::vector<Timing> growth() {
+        constexpr int most = 150000;
+        for (const int strands : {most / 8, most / 4, most / 2, most})
+            grow(strands, 25);
+        for (const int segments : {8, 16, 32, 64})
+            grow(most, segments);
+        return timings_;
+    }
+
+    // A style's hair before its cuts, with all its forces and contact: cold, and after its first
+    // force (or else gravity) has become 5 % stronger.
+    std::vector<Timing> style(Style style) {
+        std::vector<Scene> scenes;
+        for (const Part& part : style.parts) {
+            if (part.groom || !part.ties.empty()) continue;
+            Result<Follicles> follicles = plant(part.scalp, mixKey(style.seed, textKey(part.name)));
+            if (!follicles) return {};
+            Scene scene;
+            scene.part = &part;
+            scene.rods = grown(part, *follicles, style.solver.segments, style.solver.grading);
+            scene.shares = rootShares(part.forces, follicles->angles);
+            scene.nodes.resize(scene.rods.nodeCount());
+            scenes.push_back(std::move(scene));
+        }
+        const bool forced = !style.parts[0].forces.empty();
+        double& number = forced ? style.parts[0].forces[0].magnitude : style.gravity.y;
+        const double shipped = number;
+        const auto settle = [&](double factor, bool warm) {
+            number = factor * shipped;
+            unsettled_ = 0;
+            for (Scene& scene : scenes)
+                unsettled_ += settleScene(scene, style.gravity, warm);
+        };
+        const auto add = [&](const char* name, double ms) {
+            std::size_t strands = 0;
+            for (const Scene& scene : scenes)
+                strands += scene.rods.size();
+            timings_.push_back({name, strands, static_cast<std::size_t>(style.solver.segments),
+                                threads_, ms, runs_});
+            noteUnsettled();
+        };
+        add("style-cold", time(
+                              runs_, [] {}, [&] { settle(1, false); }));
+        add("style-warm", time(
+                              runs_, [&] { settle(1, false); }, [&] { settle(1.05, true); }));
+        return timings_;
+    }
+
 private:
-    static Rods grown(const Part& part, const Follicles& follicles, int segments) {
+    // A part of a style.
+    struct Scene {
+        const Part* part = nullptr;
+        Rods rods;
+        std::vector<float> shares;
+        RestState state;
+        std::vector<Vec3f> nodes;
+    };
+
+    std::size_t settleScene(Scene& scene, Vec3d gravity, bool warm) const {
+        RodWorld world;
+        world.gravity = gravity;
+        world.forces = scene.part->forces;
+        world.rootShares = scene.shares;
+        world.obstacle = &scene.part->scalp.ellipsoid;
+        return settleRods(scene.rods, world, scene.state, scene.nodes, {1e-5, warm, threads_})
+            .unsettled.size();
+    }
+
+    void grow(int strands, int segments) {
+        const Part straight = headOfHair(false, strands);
+        const Result<Follicles> follicles = plant(straight.scalp, 1992);
+        if (!follicles) return;
+        const Rods rods = grown(straight, *follicles, segments);
+        rest("equilibrium", rods, nullptr);
+        rest("contact", rods, &straight.scalp.ellipsoid);
+        // Fewer would wind by too much each.
+        if (segments >= 16)
+            rest("curly", grown(headOfHair(true, strands), *follicles, segments), nullptr);
+    }
+
+    static Rods grown(const Part& part, const Follicles& follicles, int segments,
+                      double grading = 1) {
         std::vector<std::uint32_t> which(follicles.size());
         std::iota(which.begin(), which.end(), 0U);
-        return grow(part, follicles, uncut(part.hair, follicles, segments), which, 1);
+        return kushi::grow(part, follicles, uncut(part.hair, follicles, segments), which, grading);
     }
 
     void add(const std::string& name, const Rods& rods, double ms) {
@@ -214,7 +297,15 @@ void printTable(const std::vector<Timing>& timings) {
 }  // namespace
 
 int runBench(const BenchArguments& arguments) {
-    const std::vector<Timing> timings = Bench(arguments.runs, arguments.threads).run();
+    Bench bench(arguments.runs, arguments.threads);
+    std::vector<Timing> timings;
+    if (!arguments.style.empty()) {
+        Result<Style> style = readStyle(arguments.style);
+        if (!style) return report(style.problems());
+        timings = bench.style(std::move(*style));
+    } else {
+        timings = arguments.growth ? bench.growth() : bench.run();
+    }
     if (arguments.json) {
         printJson(timings);
     } else {

@@ -63,6 +63,8 @@ struct RodArguments {
 };
 
 struct BenchArguments {
+    std::string style;  // empty: the built-in scenes
+    bool growth = false;
     int runs = 7;
     int threads = 0;
     bool json = false;

@@ -225,6 +225,12 @@ void addRod(CLI::App& program, RodArguments& arguments, int& status) {
 
 void addBench(CLI::App& program, BenchArguments& arguments, int& status) {
     CLI::App* command = program.add_subcommand("bench", "Time the solvers on 50,000 strands");
+    CLI::Option* style = command->add_option(
+        "style", arguments.style, "A style, to be brought to true rest; else the built-in scenes");
+    command
+        ->add_flag("--growth", arguments.growth,
+                   "How time grows, to 150,000 strands of 64 segments")
+        ->excludes(style);
     command->add_option("--runs", arguments.runs, "Of each; the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

@@ -109,7 +109,8 @@ struct Character {
 // and the curvature between two places on it.
 class NaturalShape {
 public:
-    NaturalShape(const Hair& hair, std::uint64_t key, Vec3d root) {
+    // wave  of the hair, if it waves
+    NaturalShape(const Hair& hair, const SineWave& wave, std::uint64_t key, Vec3d root) {
         if (hair.curl) {
             const Character own = {hair.curl->variation, key, lockOf(root)};
             const double radius = own.size() * hair.curl->radius;
@@ -121,7 +122,7 @@ public:
                              turn({0, 1, 0}, -std::atan2(radius, rise)));
         } else if (hair.wave) {
             const Character own = {hair.wave->variation, key, lockOf(root)};
-            wave_ = sineWave(*hair.wave);
+            wave_ = wave;
             wave_.tilt *= own.size();
             phase_ = own.turn(phaseSalt);
             start_ = product(turn({0, 0, 1}, own.turn(rollSalt)), turn({1, 0, 0}, tiltAt(0)));
@@ -169,11 +170,12 @@ Rods grow(const Part& part, const Follicles& follicles, const Sizes& sizes,
           std::span<const std::uint32_t> which, double grading) {
     const Hair& hair = part.hair;
     const bool shaped = hair.curl || hair.wave;
+    const SineWave wave = hair.wave ? sineWave(*hair.wave) : SineWave{};
     Rods rods;
     for (const std::uint32_t i : which) {
         const Vec3d root = follicles.roots[i];
         const std::uint64_t key = follicles.keys[i];
-        const NaturalShape shape(hair, key, root);
+        const NaturalShape shape(hair, wave, key, root);
         const Frame along = frameAlong(growthDirection(part, root));
         rods.roots.push_back(root.as<float>());
         rods.clamps.push_back(shaped ? product(along, shape.start()) : along);

@@ -79,7 +79,7 @@ struct RodWorld {
 /// How the last settling ended: where the next begins. Only settleRods() knows what is in it.
 struct RestState {
     std::vector<float> turns;
-    std::vector<std::uint8_t> renewed;
+    std::vector<std::uint8_t> histories;
     std::vector<Vec3f> tieForces;
     std::uint64_t layout = 0;
 };

@@ -115,18 +115,14 @@ public:
 
     void run() {
         const bool given = !batch_.rods->starts.empty();
-        if constexpr (Element::freedoms == 2) {
-            if (!given) hangAll();
-        }
         Start start = given ? Start::Given : Start::Cold;
-        if (batch_.warm) {
-            const Left before = given ? Left() : takeRenewed();
+        if (given && batch_.warm) {
             pass({4, 100, 0.02}, Start::Warm);
-            if (given) {
-                start = Start::Further;
-            } else {
-                renew(before);
-            }
+            start = Start::Further;
+        } else if (batch_.warm) {
+            settleWarm();
+        } else if (!given) {
+            hangAll();
         }
         for (const Pass& one : passes) {
             pass(one, start);
@@ -135,40 +131,61 @@ public:
     }
 
 private:
-    void hangAll() {
-        const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
-        Left left;
-        const std::span<const std::uint32_t> places = left_.places;
-        for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
-            hang(block_, room.items(),
-                 places.subspan(from, std::min(Lanes::count, places.size() - from)),
-                 batch_.tolerance, left);
-        }
-        left_ = std::move(left);
-    }
-
-    // Takes from `left_` those that began anew before.
-    Left takeRenewed() {
-        Left warm;
-        Left renewed;
-        for (const std::uint32_t place : left_.places) {
-            const bool again = batch_.renewed[batch_.strands[place]] != 0;
-            (again ? renewed : warm).places.push_back(place);
-        }
-        warm.shares.resize(warm.places.size());
-        left_ = std::move(warm);
-        return renewed;
-    }
-
     // The rest from before may be gone, and where a strand goes from there need not be where
-    // growing loads would take it, nor is it there when the loads come back. So what a warm solve
-    // does not bring to rest begins anew, now and from now on, and ends where a cold solve would.
-    void renew(const Left& before) {
+    // growing loads would take it, nor is it there when the loads come back. So what does not come
+    // to rest in a few steps begins anew, now and from now on, and ends where a cold solve would.
+    void settleWarm() {
+        const Left renewed = take(History::Renewed);
+        Left others = take(History::Other);
+        hangAll();
+        add(others);
+        pass({4, 100, 0.02}, Start::Warm);
+        // On the head it takes some more to find which nodes touch.
+        if (batch_.world->obstacle != nullptr) pass({12, 100, 0.02}, Start::Further);
         for (const std::uint32_t place : left_.places)
-            batch_.renewed[batch_.strands[place]] = 1;
-        left_.places.insert(left_.places.end(), before.places.begin(), before.places.end());
+            history(place) = static_cast<std::uint8_t>(History::Renewed);
+        add(renewed);
+    }
+
+    std::uint8_t& history(std::uint32_t place) const {
+        return batch_.histories[batch_.strands[place]];
+    }
+
+    // Takes those of a history from `left_`.
+    Left take(History which) {
+        Left taken;
+        Left left;
+        for (const std::uint32_t place : left_.places)
+            (history(place) == static_cast<std::uint8_t>(which) ? taken : left)
+                .places.push_back(place);
+        left_ = std::move(left);
+        return taken;
+    }
+
+    // Adds some to `left_`, with all of the loads.
+    void add(const Left& some) {
+        left_.places.insert(left_.places.end(), some.places.begin(), some.places.end());
         std::ranges::sort(left_.places);
         left_.shares.assign(left_.places.size(), 1);
+    }
+
+    // Settles those of `left_` that only hang.
+    void hangAll() {
+        if constexpr (Element::freedoms == 2) {
+            const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
+            for (const std::uint32_t place : left_.places)
+                history(place) = static_cast<std::uint8_t>(History::Hung);
+            Left left;
+            const std::span<const std::uint32_t> places = left_.places;
+            for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
+                hang(block_, room.items(),
+                     places.subspan(from, std::min(Lanes::count, places.size() - from)),
+                     batch_.tolerance, left);
+            }
+            left_ = std::move(left);
+            for (const std::uint32_t place : left_.places)
+                history(place) = static_cast<std::uint8_t>(History::Other);
+        }
     }
 
     void pass(const Pass& one, Start start) {

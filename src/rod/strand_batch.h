@@ -8,6 +8,13 @@
 
 namespace kushi {
 
+/// How warm solves of a strand go.
+enum class History : std::uint8_t {
+    Other,    ///< from where it was
+    Hung,     ///< as hair that only hangs
+    Renewed,  ///< anew, as one of them has done before
+};
+
 /// Strands of as many segments each, to be settled by one thread.
 struct StrandBatch {
     const Rods* rods = nullptr;
@@ -15,8 +22,7 @@ struct StrandBatch {
     std::span<const std::uint32_t> strands;
     std::span<float> turns;  ///< turnsSize() of them, at turnIndex()
     bool warm = false;
-    /// Of all rods: 1 where a warm solve began anew, which from then on all do; cold ones reset it.
-    std::span<std::uint8_t> renewed;
+    std::span<std::uint8_t> histories;  ///< of all rods, each a History
     double tolerance = 1e-5;
 
     std::span<const std::uint32_t> firstTies;  ///< of each rod in the world's; one more than rods,

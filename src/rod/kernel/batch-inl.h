@@ -62,10 +62,13 @@ public:
                            : 0),
           tieRoom_(batch.world->ties.empty() ? 0 : segments_),
           forceRoom_(batch.world->forces.size()),
-          placeRoom_(3 * width * (segments_ + 1)),
+          rowRoom_((3 * (segments_ + 1) + 3) / 4 * 4),
+          placeRoom_(width * rowRoom_.items().size()),
           elements_(elementRoom_.items()),
           nodes_(nodeRoom_.items()),
           contacts_(contactRoom_.items()) {
+        for (V& row : rowRoom_.items())
+            row = V(0);
         if (const Ellipsoid* e = batch.world->obstacle) {
             ellipsoid_.center = everywhere<V>(e->center);
             const Vec3d axes[] = {e->toWorldDirection({1 / e->semiAxes.x, 0, 0}),
@@ -102,6 +105,13 @@ public:
         const V twisting = gather<V>([&](std::size_t l) { return rods.twisting[strand(l)]; });
         const V weight = gather<V>([&](std::size_t l) { return rods.weights[strand(l)]; });
 
+        const std::span<V> curvatures = rowRoom_.items();
+        if constexpr (Element::freedoms == 3) {
+            const float* from[width];
+            for (std::size_t l = 0; l < width; ++l)
+                from[l] = &rods.naturalCurvature[rods.offsets[strand(l)]].x;
+            gatherRows(from, 3 * segments_, curvatures);
+        }
         V total(0);
         V longest(0);
         for (std::size_t j = 0; j < segments_; ++j) {
@@ -122,8 +132,8 @@ public:
             longest = most(longest, element.length);
             if constexpr (Element::freedoms == 3) {
                 element.twist = twisting * area * area / element.length;
-                const V3<V> curvature = gatherVector<V>(
-                    [&](std::size_t l) { return rods.naturalCurvature[segment(l)]; });
+                const V3<V> curvature = {curvatures[3 * j], curvatures[3 * j + 1],
+                                         curvatures[3 * j + 2]};
                 element.rest = element.length * curvature;
                 element.chord =
                     rods.chords.empty()
@@ -207,23 +217,19 @@ public:
         storeMask(at.settled, lane[1]);
         storeMask(some, wanted);
         writeTies(wanted);
-        const std::span<ScalarOf<V>> places = placeRoom_.items();
-        for (std::size_t j = 0; j <= segments_; ++j) {
-            ScalarOf<V>* to = &places[3 * j * width];
-            for (int axis = 0; axis < 3; ++axis, to += width)
-                storeLanes(nodes_[j].position[axis], to);
-        }
+        const std::span<V> rows = rowRoom_.items();
+        for (std::size_t j = 0; j <= segments_; ++j)
+            for (int axis = 0; axis < 3; ++axis)
+                rows[3 * j + static_cast<std::size_t>(axis)] = nodes_[j].position[axis];
+        const std::span<float> places = placeRoom_.items();
+        transpose(std::span<const V>(rows), places.data());
         for (std::size_t l = 0; l < lanes(); ++l) {
             if (wanted[l] == 0) continue;
             const std::uint32_t strand = batch_.strands[places_[l]];
             batch_.residuals[strand] = static_cast<float>(lane[0][l]);
             batch_.states[strand] = lane[1][l] != 0 ? 1 : 0;
-            Vec3f* out = &batch_.nodes[batch_.rods->firstNode(strand)];
-            for (std::size_t j = 0; j <= segments_; ++j) {
-                const ScalarOf<V>* from = &places[3 * j * width + l];
-                out[j] = {static_cast<float>(from[0]), static_cast<float>(from[width]),
-                          static_cast<float>(from[2 * width])};
-            }
+            std::memcpy(&batch_.nodes[batch_.rods->firstNode(strand)].x, &places[l * rows.size()],
+                        (segments_ + 1) * sizeof(Vec3f));
         }
     }
 
@@ -449,7 +455,8 @@ private:
     Room<Contact<V, Element>> contactRoom_;
     Room<LaneTie<V>> tieRoom_;
     Room<BoxForce<V>> forceRoom_;
-    Room<ScalarOf<V>> placeRoom_;
+    Room<V> rowRoom_;  // three numbers of each node
+    Room<float> placeRoom_;
     std::span<typename Element::Segment> elements_;
     std::span<Node<V, Element>> nodes_;
     std::span<Contact<V, Element>> contacts_;

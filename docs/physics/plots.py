@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The plots and tables of docs/physics.md, from `kushi rod --json` and the references of the tests.
+"""The plots and tables of docs/physics.md, from `kushi rod --json`, `kushi bench --growth --json`
+and the references of the tests.
 
     docs/physics/plots.py build/release/apps/cli/kushi
 
@@ -172,10 +173,26 @@ def shapes(kushi):
     plot.write("shapes.svg")
 
 
+def growth(kushi):
+    out = subprocess.run([kushi, "bench", "--growth", "--runs", "5", "--json"],
+                         check=True, capture_output=True, text=True).stdout
+    timings = json.loads(out)
+    plot = Plot("Time to rest, two threads", ("nodes", 3e5, 2e7, True, (1e6, 1e7)),
+                ("ms", 1, 3000, True, (1, 10, 100, 1000)))
+    for name, color in (("equilibrium", "#1b6ca8"), ("contact", "#c2571a"), ("curly", "#3a7d44")):
+        for state, dash in (("cold", ""), ("warm", "6 3")):
+            points = sorted((t["strands"] * (t["segments"] + 1), t["median_ms"])
+                            for t in timings if t["name"] == f"{name}-{state}")
+            plot.line(points, color, dash)
+            plot.dots(points, color, 2.4)
+        plot.legend(f"{name}, cold (warm dashed)", color)
+    plot.write("growth.svg")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    for draw in (master_curve, tip_errors, shapes):
+    for draw in (master_curve, tip_errors, shapes, growth):
         draw(sys.argv[1])
 
 

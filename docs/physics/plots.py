@@ -40,6 +40,10 @@ def rod(kushi, gamma, segments, method):
     return json.loads(out)["nodes"]
 
 
+def dashed(pattern):
+    return f' stroke-dasharray="{pattern}"' if pattern else ""
+
+
 class Plot:
     """An SVG with two axes, each linear or logarithmic."""
 
@@ -85,7 +89,7 @@ class Plot:
     def line(self, points, color, dash=""):
         path = " ".join("{:.1f},{:.1f}".format(*self.at(x, y)) for x, y in points)
         self.parts.append(f'<polyline points="{path}" fill="none" stroke="{color}" '
-                          f'stroke-width="1.8" stroke-dasharray="{dash}"/>')
+                          f'stroke-width="1.8"{dashed(dash)}/>')
 
     def dots(self, points, color, radius=3.2):
         for x, y in points:
@@ -99,8 +103,8 @@ class Plot:
     def legend(self, text, color, dash=""):
         y = 60 + 17 * self.legend_at
         self.legend_at += 1
-        self.parts.append(f'<path d="M85 {y}h26" stroke="{color}" stroke-width="1.8" '
-                          f'stroke-dasharray="{dash}"/><text x="117" y="{y + 4}">{text}</text>')
+        self.parts.append(f'<path d="M85 {y}h26" stroke="{color}" stroke-width="1.8"'
+                          f'{dashed(dash)}/><text x="117" y="{y + 4}">{text}</text>')
 
     def write(self, name):
         body = "\n".join(self.parts)

@@ -39,7 +39,7 @@ void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> 
     if (any(able)) {
         Progress<Lanes> at{};
         Hanging<Lanes> hanging(block.problem(), nodes);
-        hanging.run(tolerance, 6, at);
+        hanging.run(tolerance, 8, at);
         hanging.place(block.nodes());
         at.settled = at.settled & able & block.clear();
         if (any(at.settled)) {

@@ -73,7 +73,9 @@ public:
             const V length = problem_.elements[j - 1].length;
             out[j].position =
                 out[j - 1].position + (length * node.down) * down_ + (length * node.side) * side_;
-            const auto [s, c] = sineCosineOfTwice(V(0.5F) * node.phi);
+            const auto half = sineCosineOfTwice(V(0.25F) * node.phi);
+            const V s = V(2) * half.sine * half.cosine;
+            const V c = V(1) - V(2) * half.sine * half.sine;
             out[j].state = (cosine_ * c + sine_ * s) * down_ + (sine_ * c - cosine_ * s) * side_;
         }
     }
@@ -142,7 +144,9 @@ private:
             const V across = h - element.bend;
             hessian = hessian + straight;
             pull = pull + gradient;
-            const MaskOf<V> good = (hessian > least) & (node.side >= V(-1e-5F));
+            // Segments that are long for their load swing about the vertical.
+            const MaskOf<V> between = (node.side >= V(-1e-5F)) | (node.down > V(0));
+            const MaskOf<V> good = (hessian > least) & between;
             at.stable = at.stable & good;
             const V inverse = reciprocal(select(hessian > least, hessian, V(1)));
             node.still = inverse * pull;
@@ -158,8 +162,9 @@ private:
         for (std::size_t j = 1; j < nodes_.size(); ++j) {
             Node& node = nodes_[j];
             step = -(node.still + node.byBefore * step);
-            // Between the clamp and gravity; a bound that only what strays needs.
-            const V next = least(most(node.phi + step, V(0)), number<V>(3.1415927));
+            // A bound that only what strays needs. On few segments a node may turn beyond gravity,
+            // so that the chord points there.
+            const V next = least(most(node.phi + step, V(0)), number<V>(6.2831853));
             node.phi = select(done, node.phi, next);
         }
     }

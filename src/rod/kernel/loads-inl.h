@@ -61,12 +61,15 @@ HWY_INLINE void addForce(const BoxForce<V>& force, const V3<V>& at, Pull<V>& pul
 
     V3<V> direction = force.direction;
     if (force.radial) {
-        const V scale = inverseRoot(most(at[0] * at[0] + at[2] * at[2], V(1e-6F)));
+        // Faded out towards the axis, where there is no direction: hair that is pulled there finds
+        // its rest.
+        const V core = V(0.5F) * force.width;
+        const V scale = inverseRoot(at[0] * at[0] + at[2] * at[2] + core * core);
         direction = {scale * at[0], V(0), scale * at[2]};
         // The direction turns with the place.
         const V across = share * scale;
-        pull.stiffness(0, 0) -= across * direction[2] * direction[2];
-        pull.stiffness(2, 2) -= across * direction[0] * direction[0];
+        pull.stiffness(0, 0) -= across * (V(1) - direction[0] * direction[0]);
+        pull.stiffness(2, 2) -= across * (V(1) - direction[2] * direction[2]);
         pull.stiffness(0, 2) += across * direction[0] * direction[2];
         pull.stiffness(2, 0) += across * direction[0] * direction[2];
     }

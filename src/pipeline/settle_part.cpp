@@ -50,7 +50,7 @@ public:
             (way ? tied : loose).push_back(i);
             if (way) ways.push_back(std::move(*way));
         }
-        if (const Status settled = settle(loose, {}); !settled) return settled;
+        if (Status settled = settle(loose, {}); !settled) return settled;
         return settle(tied, ways);
     }
 

@@ -70,9 +70,9 @@ public:
             for (const std::size_t tie : knot.ties)
                 report_.unsettled.push_back(ties_[tie].strand);
         }
-        std::ranges::sort(report_.unsettled);
-        const auto twice = std::ranges::unique(report_.unsettled);
-        report_.unsettled.erase(twice.begin(), twice.end());
+        std::vector<std::uint32_t>& unsettled = report_.unsettled;
+        std::sort(unsettled.begin(), unsettled.end());
+        unsettled.erase(std::unique(unsettled.begin(), unsettled.end()), unsettled.end());
         return std::move(report_);
     }
 

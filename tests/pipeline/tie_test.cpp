@@ -38,7 +38,7 @@ double distanceTo(Vec3d point, std::span<const Vec3f> nodes) {
 }
 
 TEST(PartTie, HoldsEveryStrandThatReachesIt) {
-    const auto groom = settle(tied(2000, 0.35));
+    const auto groom = settle(tied(600, 0.35));
     ASSERT_TRUE(groom);
     EXPECT_LE(groom->report.unsettled, 2U);
     EXPECT_LE(groom->report.maxResidual.value_or(1), 1.01e-5);
@@ -53,14 +53,14 @@ TEST(PartTie, HoldsEveryStrandThatReachesIt) {
 TEST(PartTie, KeepsHairOutOfTheHeadOnItsWay) {
     SettleOptions options;
     options.measurePenetration = true;
-    const auto groom = settle(tied(2000, 0.35), options);
+    const auto groom = settle(tied(600, 0.35), options);
     ASSERT_TRUE(groom);
     // Chords between nodes on the surface dip by d^2 / (8 r).
     EXPECT_LT(groom->report.maxPenetration.value_or(1), 2e-4);
 }
 
 TEST(PartTie, LeavesHairThatIsTooShort) {
-    Style style = tied(1000, 0.06);
+    Style style = tied(400, 0.06);
     const auto groom = settle(style);
     style.parts[0].ties.clear();
     const auto loose = settle(style);
@@ -76,7 +76,7 @@ TEST(PartTie, LeavesHairThatIsTooShort) {
 }
 
 TEST(PartTie, TakesOnlyItsRootsAndTheFirstThatMeets) {
-    Style style = tied(1000, 0.35);
+    Style style = tied(400, 0.35);
     // The person's right goes to a band on the right.
     HairTie right;
     right.at = {-0.03, 0.02, 0.115};
@@ -93,13 +93,13 @@ TEST(PartTie, TakesOnlyItsRootsAndTheFirstThatMeets) {
 }
 
 TEST(PartTie, SurvivesACutBehindItAndOneBeforeIt) {
-    Style style = tied(500, 0.35);
+    Style style = tied(200, 0.35);
     Cut cut;
     cut.below = -0.02;
     style.parts[0].cuts.push_back(cut);
     const auto groom = settle(style);
     ASSERT_TRUE(groom);
-    EXPECT_EQ(groom->strands.size(), 500U);
+    EXPECT_EQ(groom->strands.size(), 200U);
     for (std::size_t i = 0; i < groom->strands.size(); ++i) {
         const auto nodes = groom->strands.strand(i);
         EXPECT_LT(distanceTo(band, nodes), 0.0082) << i;
@@ -110,7 +110,7 @@ TEST(PartTie, SurvivesACutBehindItAndOneBeforeIt) {
     style.parts[0].cuts[0].keep = {{0, 0.03}};
     const auto shorn = settle(style);
     ASSERT_TRUE(shorn);
-    EXPECT_EQ(shorn->strands.size(), 500U);
+    EXPECT_EQ(shorn->strands.size(), 200U);
 }
 
 TEST(PartTie, GivesTheSameBytesOnAnyThreads) {
@@ -118,8 +118,8 @@ TEST(PartTie, GivesTheSameBytesOnAnyThreads) {
     one.threads = 1;
     SettleOptions three;
     three.threads = 3;
-    const auto a = settle(tied(1500, 0.3), one);
-    const auto b = settle(tied(1500, 0.3), three);
+    const auto a = settle(tied(400, 0.3), one);
+    const auto b = settle(tied(400, 0.3), three);
     ASSERT_TRUE(a && b);
     ASSERT_EQ(a->strands.nodes.size(), b->strands.nodes.size());
     EXPECT_EQ(std::memcmp(a->strands.nodes.data(), b->strands.nodes.data(),

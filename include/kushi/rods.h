@@ -47,6 +47,10 @@ struct Rods {
 
     std::size_t size() const { return roots.size(); }
     std::size_t segments(std::size_t strand) const { return offsets[strand + 1] - offsets[strand]; }
+    double segmentLength(std::size_t strand, std::size_t segment) const {
+        return segmentLengths.empty() ? lengths[strand] / static_cast<double>(segments(strand))
+                                      : segmentLengths[offsets[strand] + segment];
+    }
     /// Where strand i's nodes begin in an array of all nodes, root first.
     std::size_t firstNode(std::size_t strand) const { return offsets[strand] + strand; }
     std::size_t nodeCount() const { return offsets.back() + size(); }
@@ -76,10 +80,17 @@ struct RodWorld {
     std::span<const Tie> ties = {};
 };
 
+/// How warm solves of a strand go.
+enum class History : std::uint8_t {
+    Other,    ///< from where it was
+    Hung,     ///< as hair that only hangs
+    Renewed,  ///< anew, as one of them has done before
+};
+
 /// How the last settling ended: where the next begins. Only settleRods() knows what is in it.
 struct RestState {
     std::vector<float> turns;
-    std::vector<std::uint8_t> histories;
+    std::vector<History> histories;
     std::vector<Vec3f> tieForces;
     std::uint64_t layout = 0;
 };

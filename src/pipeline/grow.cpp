@@ -210,12 +210,9 @@ double largestTurn(const Rods& rods) {
     double largest = 0;
     if (rods.naturalCurvature.empty()) return largest;
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        const auto n = static_cast<float>(rods.segments(i));
-        for (std::size_t j = rods.offsets[i]; j < rods.offsets[i + 1]; ++j) {
-            const float size =
-                rods.segmentLengths.empty() ? rods.lengths[i] / n : rods.segmentLengths[j];
-            largest =
-                std::max(largest, static_cast<double>(size * length(rods.naturalCurvature[j])));
+        for (std::size_t j = 0; j < rods.segments(i); ++j) {
+            const Vec3f curvature = rods.naturalCurvature[rods.offsets[i] + j];
+            largest = std::max(largest, rods.segmentLength(i, j) * length(curvature));
         }
     }
     return largest;

@@ -101,15 +101,11 @@ void reserve(Strands& strands, std::size_t more) {
 Status checkMethod(const Style& style, Method method) {
     if (method == Method::Equilibrium) return std::monostate{};
     for (const Part& part : style.parts) {
-        if (part.groom) {
-            return Problem{"the hair of '" + part.name +
-                           "' is a groom, which the cantilever method does not know; settle it by "
-                           "equilibrium (--method equilibrium)"};
-        }
-        if (!part.ties.empty()) {
-            return Problem{"the hair of '" + part.name +
-                           "' is tied, which the cantilever method does not know; settle it by "
-                           "equilibrium (--method equilibrium)"};
+        if (part.groom || !part.ties.empty()) {
+            return Problem{"the hair of '" + part.name + "' is " +
+                           (part.groom ? "a groom" : "tied") +
+                           ", which the cantilever method does not know; settle it by equilibrium "
+                           "(--method equilibrium)"};
         }
         if (!part.hair.curl && !part.hair.wave && part.hair.taper == 0) continue;
         return Problem{"the hair of '" + part.name +

@@ -50,34 +50,8 @@ public:
             (way ? tied : loose).push_back(i);
             if (way) ways.push_back(std::move(*way));
         }
-        if (Status settled = settle(loose, {}); !settled) return settled;
-        return settle(tied, ways);
-    }
-
-    // Those that no tie holds, or those that go their ways to one.
-    Status settle(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
-        if (which.empty()) return std::monostate{};
-        // The walk knows equal segments only.
-        const double grading = method_ == Method::Cantilever ? 1 : style_.solver.grading;
-        Rods rods = grow(part_, follicles_, sizes_, which, grading);
-        const std::vector<float> shares =
-            rootShares(part_.forces, picked(follicles_.angles, which));
-        RodWorld world;
-        world.gravity = style_.gravity;
-        world.forces = part_.forces;
-        world.rootShares = shares;
-        world.obstacle = &part_.scalp.ellipsoid;
-        const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
-        world.ties = ties;
-
-        const std::size_t base = settled_.nodes.size();
-        settled_.nodes.resize(base + rods.nodeCount());
-        for (std::size_t k = 0; k < which.size(); ++k)
-            settled_.stretches[which[k]] = {base + rods.firstNode(k), rods.segments(k) + 1};
-        const auto nodes = std::span(settled_.nodes).subspan(base);
-        if (method_ == Method::Equilibrium) return rest(which, rods, world, nodes);
-        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, threads_});
-        return std::monostate{};
+        if (Status settled = settleAlike(loose, {}); !settled) return settled;
+        return settleAlike(tied, ways);
     }
 
     // Shortens what the cut meets; returns those whose shape it changes.
@@ -122,6 +96,32 @@ public:
     }
 
 private:
+    // Those that no tie holds, or those that go their ways to one.
+    Status settleAlike(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
+        if (which.empty()) return std::monostate{};
+        // The walk knows equal segments only.
+        const double grading = method_ == Method::Cantilever ? 1 : style_.solver.grading;
+        Rods rods = grow(part_, follicles_, sizes_, which, grading);
+        const std::vector<float> shares =
+            rootShares(part_.forces, picked(follicles_.angles, which));
+        RodWorld world;
+        world.gravity = style_.gravity;
+        world.forces = part_.forces;
+        world.rootShares = shares;
+        world.obstacle = &part_.scalp.ellipsoid;
+        const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
+        world.ties = ties;
+
+        const std::size_t base = settled_.nodes.size();
+        settled_.nodes.resize(base + rods.nodeCount());
+        for (std::size_t k = 0; k < which.size(); ++k)
+            settled_.stretches[which[k]] = {base + rods.firstNode(k), rods.segments(k) + 1};
+        const auto nodes = std::span(settled_.nodes).subspan(base);
+        if (method_ == Method::Equilibrium) return rest(which, rods, world, nodes);
+        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, threads_});
+        return std::monostate{};
+    }
+
     Status rest(std::span<const std::uint32_t> which, const Rods& rods, const RodWorld& world,
                 std::span<Vec3f> nodes) {
         if (const double turn = largestTurn(rods); turn > mostTurn) return tooFewSegments(turn);

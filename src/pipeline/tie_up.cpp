@@ -2,6 +2,7 @@
 #include "pipeline/tie_up.h"
 
 #include "core/random.h"
+#include "rod/polyline_frames.h"
 #include "style/ranges.h"
 
 #include <algorithm>
@@ -25,27 +26,6 @@ Vec3d placeIn(const HairTie& tie, Vec3d center, Vec3d root, std::uint64_t key) {
     if (size < 1e-9) return tie.at;
     const double distance = tie.radius * std::sqrt(uniform(mixKey(key, radiusSalt)));
     return tie.at + (distance / size) * side;
-}
-
-// The rotation that takes the unit vector `from` to `to` by the shortest way, then `frame`'s.
-Frame carried(const Frame& frame, Vec3d from, Vec3d to) {
-    const Vec3d axis = cross(from, to);
-    const double w = 1 + dot(from, to);
-    if (w < 1e-6) return frameAlong(to);
-    const double scale = 1 / std::sqrt(w * w + dot(axis, axis));
-    const double rw = scale * w;
-    const Vec3d r = scale * axis;
-    const double fw = frame.w;
-    const Vec3d f = {frame.x, frame.y, frame.z};
-    const Vec3d v = rw * f + fw * r + cross(r, f);
-    return {static_cast<float>(rw * fw - dot(r, f)), static_cast<float>(v.x),
-            static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-double segmentLength(const Rods& rods, std::size_t strand, std::size_t segment) {
-    if (rods.segmentLengths.empty())
-        return rods.lengths[strand] / static_cast<double>(rods.segments(strand));
-    return rods.segmentLengths[rods.offsets[strand] + segment];
 }
 
 // Which way a strand goes that has walked so far.
@@ -79,19 +59,18 @@ std::vector<Tie> layAlong(std::span<const WayToTie> ways, Vec3d gravity, Rods& r
     const Vec3d down = length(gravity) > 0 ? normalized(gravity) : Vec3d{0, -1, 0};
     std::vector<Tie> ties;
     for (std::uint32_t i = 0; i < ways.size(); ++i) {
-        const std::size_t segments = rods.segments(i);
-        Frame frame = rods.clamps[i];
-        Vec3d direction = directionOf(frame);
+        const auto segments = static_cast<std::uint32_t>(rods.segments(i));
+        std::vector<Vec3d> tangents = {directionOf(rods.clamps[i])};
         double walked = 0;
-        std::uint32_t tied = 0;
+        std::uint32_t tied = segments;
         for (std::uint32_t j = 1; j <= segments; ++j) {
-            walked += segmentLength(rods, i, j - 1);
-            const Vec3d next = directionAt(ways[i], walked, down);
-            frame = carried(frame, direction, next);
-            direction = next;
-            rods.starts.push_back(frame);
-            if (tied == 0 && (walked >= ways[i].walked || j == segments)) tied = j;
+            walked += rods.segmentLength(i, j - 1);
+            tangents.push_back(directionAt(ways[i], walked, down));
+            if (walked >= ways[i].walked) tied = std::min(tied, j);
         }
+        const auto frames = framesAlong(tangents, rotationOf(rods.clamps[i]));
+        for (std::uint32_t j = 1; j <= segments; ++j)
+            rods.starts.push_back(frameOf(frames[j]));
         ties.push_back({i, tied, ways[i].route.points.back().as<float>()});
     }
     return ties;

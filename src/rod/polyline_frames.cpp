@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rod/polyline_frames.h"
 
-#include <kushi/rods.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -86,15 +84,27 @@ std::vector<Vec3d> nodeTangents(std::span<const Vec3d> nodes) {
 }
 
 std::vector<Rotation> framesAlong(std::span<const Vec3d> tangents) {
+    return framesAlong(tangents, rotationOf(frameAlong(tangents[0])));
+}
+
+std::vector<Rotation> framesAlong(std::span<const Vec3d> tangents, const Rotation& first) {
     std::vector<Rotation> frames(tangents.size());
-    const Frame root = frameAlong(tangents[0]);
-    frames[0] = normalized(Rotation{root.w, Vec3f{root.x, root.y, root.z}.as<double>()});
+    frames[0] = first;
     for (std::size_t j = 1; j < tangents.size(); ++j) {
         // From where d3 really is, so that no error of rounding adds up.
         const Vec3d from = rotate(frames[j - 1], {0, 0, 1});
         frames[j] = normalized(shortest(from, tangents[j]) * frames[j - 1]);
     }
     return frames;
+}
+
+Rotation rotationOf(const Frame& frame) {
+    return normalized(Rotation{frame.w, Vec3f{frame.x, frame.y, frame.z}.as<double>()});
+}
+
+Frame frameOf(const Rotation& rotation) {
+    const Vec3f v = rotation.v.as<float>();
+    return {static_cast<float>(rotation.w), v.x, v.y, v.z};
 }
 
 }  // namespace kushi

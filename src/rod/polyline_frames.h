@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <kushi/vec.h>
+#include <kushi/rods.h>
 
 #include <span>
 #include <vector>
@@ -33,5 +33,10 @@ inline constexpr double sharpest = 1.5;
 
 /// Frames with d3 along the tangents that do not twist from one to the next (parallel transport).
 std::vector<Rotation> framesAlong(std::span<const Vec3d> tangents);
+/// The same, from a given frame at the first of them.
+std::vector<Rotation> framesAlong(std::span<const Vec3d> tangents, const Rotation& first);
+
+Rotation rotationOf(const Frame& frame);
+Frame frameOf(const Rotation& rotation);
 
 }  // namespace kushi

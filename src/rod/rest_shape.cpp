@@ -75,15 +75,10 @@ void addStrand(SetGroom& set, std::span<const Vec3f> nodes, std::vector<std::uin
     set.rods.roots.push_back(nodes[0]);
 }
 
-Frame asFrame(const Rotation& r) {
-    const Vec3f v = r.v.as<float>();
-    return {static_cast<float>(r.w), v.x, v.y, v.z};
-}
-
 // The strand as a rod of segments that are as long and lie as in the groom; its frames.
 std::vector<Rotation> shape(Rods& rods, std::uint32_t strand, std::span<const Vec3d> nodes) {
     std::vector<Rotation> frames = framesAlong(nodeTangents(nodes));
-    rods.clamps[strand] = asFrame(frames[0]);
+    rods.clamps[strand] = frameOf(frames[0]);
     double total = 0;
     for (std::size_t j = 1; j < nodes.size(); ++j) {
         const std::size_t segment = rods.offsets[strand] + j - 1;
@@ -92,7 +87,7 @@ std::vector<Rotation> shape(Rods& rods, std::uint32_t strand, std::span<const Ve
         rods.segmentLengths[segment] = static_cast<float>(length(chord));
         rods.chords[segment] =
             rotate(inverse(halfway(frames[j - 1], frames[j])), chord).as<float>();
-        rods.starts[segment] = asFrame(frames[j]);
+        rods.starts[segment] = frameOf(frames[j]);
     }
     rods.lengths[strand] = static_cast<float>(total);
     return frames;

@@ -2,15 +2,9 @@
 //
 // Compiled for every instruction set that the compiler knows; the processor's best is chosen when
 // the program runs.
+#include "rod/lane_targets.h"
 #include "rod/strand_batch.h"
 
-// One target for each width of register is enough; under sanitizers, which make these files slow to
-// compile, one beside the baseline.
-#ifdef KUSHI_FEW_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
-#else
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
 // Highway's file compiles this one again for each target: it comes before the kernels.
@@ -24,15 +18,17 @@ namespace kushi::HWY_NAMESPACE {
 
 enum class Start { Cold, Given, Warm, Further };
 
-// How far the loads of a strand had grown when it was left.
+using Places = std::vector<std::uint32_t>;
+
+// Strands that are not yet at rest, and how far the loads of each have grown.
 struct Left {
-    std::vector<std::uint32_t> places;
+    Places places;
     std::vector<float> shares;
 };
 
 // Settles what only hangs and touches nothing; the others are added to `left`.
 void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> nodes,
-          std::span<const std::uint32_t> some, double tolerance, Left& left) {
+          std::span<const std::uint32_t> some, double tolerance, Places& left) {
     block.take(some);
     alignas(64) float settled[Lanes::count] = {};
     const LaneMask able = block.hanging();
@@ -49,9 +45,7 @@ void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> 
         storeMask(at.settled, settled);
     }
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
-        if (settled[lane] != 0) continue;
-        left.places.push_back(some[lane]);
-        left.shares.push_back(1);
+        if (settled[lane] == 0) left.push_back(some[lane]);
     }
 }
 
@@ -92,18 +86,21 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
     }
 }
 
-// Passes of at most so many steps take long ones.
-constexpr int hasty = 12;
-
+// Steps of one kind. Hasty ones are long.
 struct Pass {
     int steps;
+    bool hasty;
     double worse, curvature;
 };
 
 // A few steps for all; those that need more are put together and go on. What is quick for most is
 // not for all, so that they go on in other ways as well.
-constexpr Pass passes[] = {
-    {6, 100, 0.02}, {12, 100, 0.02}, {40, 100, 0.02}, {60, 10, 0.02}, {60, 100, 1}};
+constexpr Pass passes[] = {{6, true, 100, 0.02},
+                           {12, true, 100, 0.02},
+                           {40, false, 100, 0.02},
+                           {60, false, 10, 0.02},
+                           {60, false, 100, 1}};
+constexpr Pass warmPass = {4, true, 100, 0.02};
 
 template <class Element>
 class Settling {
@@ -117,7 +114,7 @@ public:
         const bool given = !batch_.rods->starts.empty();
         Start start = given ? Start::Given : Start::Cold;
         if (given && batch_.warm) {
-            pass({4, 100, 0.02}, Start::Warm);
+            pass(warmPass, Start::Warm);
             start = Start::Further;
         } else if (batch_.warm) {
             settleWarm();
@@ -135,56 +132,53 @@ private:
     // growing loads would take it, nor is it there when the loads come back. So what does not come
     // to rest in a few steps begins anew, now and from now on, and ends where a cold solve would.
     void settleWarm() {
-        const Left renewed = take(History::Renewed);
-        Left others = take(History::Other);
+        const Places renewed = take(History::Renewed);
+        const Places others = take(History::Other);
         hangAll();
         add(others);
-        pass({4, 100, 0.02}, Start::Warm);
+        pass(warmPass, Start::Warm);
         // On the head it takes some more to find which nodes touch.
-        if (batch_.world->obstacle != nullptr) pass({12, 100, 0.02}, Start::Further);
-        for (const std::uint32_t place : left_.places)
-            history(place) = static_cast<std::uint8_t>(History::Renewed);
+        if (batch_.world->obstacle != nullptr) pass(passes[1], Start::Further);
+        remember(left_.places, History::Renewed);
         add(renewed);
     }
 
-    std::uint8_t& history(std::uint32_t place) const {
-        return batch_.histories[batch_.strands[place]];
+    History& history(std::uint32_t place) const { return batch_.histories[batch_.strands[place]]; }
+
+    void remember(const Places& places, History what) {
+        for (const std::uint32_t place : places)
+            history(place) = what;
     }
 
     // Takes those of a history from `left_`.
-    Left take(History which) {
-        Left taken;
-        Left left;
+    Places take(History which) {
+        Places taken;
+        Places left;
         for (const std::uint32_t place : left_.places)
-            (history(place) == static_cast<std::uint8_t>(which) ? taken : left)
-                .places.push_back(place);
-        left_ = std::move(left);
+            (history(place) == which ? taken : left).push_back(place);
+        left_.places = std::move(left);
         return taken;
     }
 
-    // Adds some to `left_`, with all of the loads.
-    void add(const Left& some) {
-        left_.places.insert(left_.places.end(), some.places.begin(), some.places.end());
+    // Adds some to `left_`.
+    void add(const Places& some) {
+        left_.places.insert(left_.places.end(), some.begin(), some.end());
         std::ranges::sort(left_.places);
-        left_.shares.assign(left_.places.size(), 1);
     }
 
     // Settles those of `left_` that only hang.
     void hangAll() {
         if constexpr (Element::freedoms == 2) {
             const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
-            for (const std::uint32_t place : left_.places)
-                history(place) = static_cast<std::uint8_t>(History::Hung);
-            Left left;
-            const std::span<const std::uint32_t> places = left_.places;
+            const Places places = std::move(left_.places);
+            left_.places.clear();
             for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
-                hang(block_, room.items(),
-                     places.subspan(from, std::min(Lanes::count, places.size() - from)),
-                     batch_.tolerance, left);
+                const std::size_t size = std::min(Lanes::count, places.size() - from);
+                hang(block_, room.items(), std::span(places).subspan(from, size), batch_.tolerance,
+                     left_.places);
             }
-            left_ = std::move(left);
-            for (const std::uint32_t place : left_.places)
-                history(place) = static_cast<std::uint8_t>(History::Other);
+            remember(places, History::Hung);
+            remember(left_.places, History::Other);
         }
     }
 
@@ -192,7 +186,7 @@ private:
         NewtonOptions options;
         options.tolerance = batch_.tolerance;
         options.maxSteps = one.steps;
-        if (one.steps <= hasty) {
+        if (one.hasty) {
             options.reach = 2;
             options.growth = 2.5;
             options.shift = 1e-2;

@@ -80,7 +80,7 @@ RestReport settlePinned(const Rods& rods, const RodWorld& world, RestState& stat
     const std::uint64_t layout = layoutOf(rods);
     const bool warm = options.warm && state.layout == layout;
     state.layout = layout;
-    if (!warm) state.histories.assign(rods.size(), static_cast<std::uint8_t>(History::Other));
+    if (!warm) state.histories.assign(rods.size(), History::Other);
     state.turns.resize(batches.empty() ? 0 : batches.back().firstTurn + batches.back().turns);
 
     const std::vector<std::uint32_t> ties = firstTies(rods.size(), world.ties);

@@ -8,13 +8,6 @@
 
 namespace kushi {
 
-/// How warm solves of a strand go.
-enum class History : std::uint8_t {
-    Other,    ///< from where it was
-    Hung,     ///< as hair that only hangs
-    Renewed,  ///< anew, as one of them has done before
-};
-
 /// Strands of as many segments each, to be settled by one thread.
 struct StrandBatch {
     const Rods* rods = nullptr;
@@ -22,7 +15,7 @@ struct StrandBatch {
     std::span<const std::uint32_t> strands;
     std::span<float> turns;  ///< turnsSize() of them, at turnIndex()
     bool warm = false;
-    std::span<std::uint8_t> histories;  ///< of all rods, each a History
+    std::span<History> histories;  ///< of all rods
     double tolerance = 1e-5;
 
     std::span<const std::uint32_t> firstTies;  ///< of each rod in the world's; one more than rods,

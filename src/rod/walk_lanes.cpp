@@ -3,13 +3,9 @@
 // Usami & Anjyo's walk (cantilever.cpp) on strands side by side. Avoidance takes one turn or
 // another, so that the last digit of a number may show: only operations that IEEE rounds alike are
 // used, so that every processor gives the same bytes.
+#include "rod/lane_targets.h"
 #include "rod/walk_batch.h"
 
-#ifdef KUSHI_FEW_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
-#else
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/walk_lanes.cpp"
 // Highway's file compiles this one again for each target: it comes before the kernels.

@@ -80,7 +80,7 @@ inline Settled settleBy(void (*kernel)(const StrandBatch&), const Rods& rods, co
     result.turns.resize(rods.size());
     result.residuals.resize(rods.size());
     result.states.resize(rods.size());
-    std::vector<std::uint8_t> histories(rods.size());
+    std::vector<History> histories(rods.size());
     result.tieForces.resize(world.ties.size());
     std::vector<std::uint32_t> firstTies(world.ties.empty() ? 0 : rods.size() + 1);
     for (std::size_t i = 0; i < firstTies.size(); ++i)

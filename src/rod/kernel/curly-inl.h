@@ -84,13 +84,6 @@ struct Curly {
         return unitQuaternion(product(at, Quaternion<V>{V(1), V(0.5F) * by}));
     }
 
-    HWY_INLINE static V angle(const State& a, const State& b) {
-        const Quaternion<V> r = between(a, b);
-        const V s = least(dot(r.v, r.v), V(1));
-        const V half = squareRoot(s) * arcsineRatio(s);
-        return V(2) * select(r.w < V(0), number<V>(std::numbers::pi) - half, half);
-    }
-
     template <Order order>
     HWY_INLINE static Derivatives<V, 3> derive(const Segment& segment, const State& a,
                                                const State& b, const V3<V>& force,

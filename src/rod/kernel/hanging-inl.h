@@ -54,9 +54,6 @@ public:
     // Where these are not settled the strand needs another way.
     HWY_INLINE void run(double tolerance, int maxSteps, Progress<V>& at) {
         begin();
-        at.share = V(1);
-        at.shift = V(0);
-        at.steps = V(0);
         for (int step = 0;; ++step) {
             eliminate(at);
             at.settled = at.stable & (at.residual <= number<V>(tolerance));

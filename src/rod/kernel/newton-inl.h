@@ -118,11 +118,11 @@ public:
             load(at.share);
             const V before = at.residual;
             if (any(closing) && !any(!(closing | at.settled))) {
-                at.residual = imbalance(at.share);
+                sweep<Order::Gradient>(at);
                 at.settled = at.settled | (at.residual <= number<V>(options.tolerance));
                 if (!any(!at.settled)) return;
             }
-            eliminate(at);
+            sweep<Order::Hessian>(at);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
             // With a shift the pivots tell nothing about stability: an upright strand has no
@@ -273,33 +273,17 @@ private:
         return scale * select(go, reach, V(0));
     }
 
-    // The residual alone.
-    HWY_INLINE V imbalance(V share) const {
-        V3<V> beyond = share * problem_.tipLoad;
-        V worst(0);
-        Column<V, m> carried = zeros<m>();
-        for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
-            const Row& node = nodes_[j];
-            if (stiff_) beyond = beyond + contacts_[j].push;
-            const auto d = Element::template derive<Order::Gradient>(
-                problem_.elements[j - 1], nodes_[j - 1].state, node.state,
-                beyond + V(0.5F) * node.load, false);
-            beyond = beyond + node.load;
-            const Column<V, m> gradient = d.gb + carried;
-            for (int r = 0; r < m; ++r)
-                worst = most(worst, magnitude(gradient[r]));
-            carried = d.ga;
-        }
-        return worst * reciprocal(problem_.momentScale);
-    }
-
-    // Tip to root: moments, residual, and the elimination of each node's rotation.
-    HWY_INLINE void eliminate(Progress<V>& at) {
+    // Tip to root: moments, residual, and but for the gradient alone the elimination of each node's
+    // rotation, which tells whether it is stable.
+    template <Order order>
+    HWY_INLINE void sweep(Progress<V>& at) {
         const V least = V(1e-6F) * problem_.elements[0].bend;
         V3<V> beyond = at.share * problem_.tipLoad;  // force on the end of segment j
         V worst(0);
-        at.stable = V(0) < V(1);
-        lastHeld_ = 0;
+        if constexpr (order == Order::Hessian) {
+            at.stable = V(0) < V(1);
+            lastHeld_ = 0;
+        }
         Matrix<V, m, m> hessian = diagonal<m>(V(0));  // of all beyond node j in its turn
         Column<V, m> pull = zeros<m>();
         Column<V, m> carried = zeros<m>();  // the gradient that segment j + 1 gives node j
@@ -307,16 +291,18 @@ private:
 
         for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
             Row& node = nodes_[j];
-            const bool coupled = stiff_ && (lastHeld_ > 0 || contacts_[j].stiff);
+            const bool coupled =
+                order == Order::Hessian && stiff_ && (lastHeld_ > 0 || contacts_[j].stiff);
             if (stiff_) beyond = beyond + contacts_[j].push;
-            const auto d = Element::template derive<Order::Hessian>(
-                problem_.elements[j - 1], nodes_[j - 1].state, node.state,
-                beyond + V(0.5F) * node.load, coupled);
+            const auto d =
+                Element::template derive<order>(problem_.elements[j - 1], nodes_[j - 1].state,
+                                                node.state, beyond + V(0.5F) * node.load, coupled);
             beyond = beyond + node.load;
             const Column<V, m> gradient = d.gb + carried;
             for (int r = 0; r < m; ++r)
                 worst = most(worst, magnitude(gradient[r]));
             carried = d.ga;
+            if constexpr (order == Order::Gradient) continue;
 
             hessian = hessian + d.hbb;
             for (int r = 0; r < m; ++r)

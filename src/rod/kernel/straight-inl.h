@@ -57,12 +57,6 @@ struct Straight {
         return unit(at + basis(at) * by);
     }
 
-    HWY_INLINE static V angle(const State& a, const State& b) {
-        const V3<V> gap = b - a;
-        const V s = V(0.25F) * dot(gap, gap);
-        return V(2) * squareRoot(s) * arcsineRatio(least(s, V(1)));
-    }
-
     // (1 - theta cot(theta)) / sin(theta)^2.
     HWY_INLINE static V curvatureRatio(V s, V thetaCot, V rest) {
         const MaskOf<V> small = s < V(0.1F);

@@ -12,7 +12,6 @@
 #include "rod/kernel/walk_loads-inl.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -32,7 +31,7 @@ public:
           sphere_(avoiding_ ? *batch.walk->obstacle : Ellipsoid{{}, {1, 1, 1}}),
           forceRoom_(batch.walk->forces.size()),
           rowRoom_(3 * (longest(batch) + 1) + 3),
-          blockRoom_(Lanes::count * (longest(batch) + 1) + 1),
+          placeRoom_(Lanes::count * rowRoom_.items().size()),
           rows_(rowRoom_.items()) {}
 
     // Strands [begin, end), no more than there are lanes.
@@ -145,29 +144,16 @@ private:
             rows_[3 * node + axis] = at[static_cast<int>(axis)];
     }
 
-    // Each lane's numbers to its strand's nodes, by fours, and all of them at once to where they
-    // are wanted. What a last four has too much is overwritten by the first of the next strand,
-    // since they go from the tips to the roots.
+    // Each lane's numbers to its strand's nodes.
     HWY_INLINE void write(std::size_t begin, std::size_t end, std::size_t segments) {
         const Rods& rods = *batch_.rods;
-        const std::size_t first = rods.firstNode(begin);
-        const std::span<Vec3f> block = blockRoom_.items();
-        std::array<float*, Lanes::count> out{};
-        std::array<std::size_t, Lanes::count> size{};
+        const std::size_t rows = (3 * (segments + 1) + 3) / 4 * 4;
+        const std::span<float> places = placeRoom_.items();
+        transpose(std::span<const Lanes>(rows_).first(rows), places.data());
         for (std::size_t i = begin; i < end; ++i) {
-            out[i - begin] = &block[rods.firstNode(i) - first].x;
-            size[i - begin] = 3 * (rods.segments(i) + 1);
+            std::memcpy(&batch_.nodes[rods.firstNode(i)].x, &places[(i - begin) * rows],
+                        (rods.segments(i) + 1) * sizeof(Vec3f));
         }
-        alignas(64) float fours[4 * Lanes::count];
-        for (std::size_t four = (3 * (segments + 1) + 3) / 4; four-- > 0;) {
-            const std::size_t r = 4 * four;
-            hn::StoreInterleaved4(rows_[r].v, rows_[r + 1].v, rows_[r + 2].v, rows_[r + 3].v,
-                                  Lanes::Tag(), fours);
-            for (std::size_t l = 0; l < end - begin; ++l)
-                if (r < size[l]) std::memcpy(out[l] + r, fours + 4 * l, 4 * sizeof(float));
-        }
-        std::copy_n(block.begin(), rods.firstNode(end) - first,
-                    batch_.nodes.begin() + static_cast<std::ptrdiff_t>(first));
     }
 
     const WalkBatch& batch_;
@@ -177,7 +163,7 @@ private:
     Sphere sphere_;
     Room<HeldForce> forceRoom_;
     Room<Lanes> rowRoom_;
-    Room<Vec3f> blockRoom_;
+    Room<float> placeRoom_;
     std::span<Lanes> rows_;
 };
 

@@ -96,48 +96,43 @@ public:
     std::vector<Timing> growth() {
         constexpr int most = 150000;
         for (const int strands : {most / 8, most / 4, most / 2, most})
-            grow(strands, 25);
+            sized(strands, 25);
         for (const int segments : {8, 16, 32, 64})
-            grow(most, segments);
+            sized(most, segments);
         return timings_;
     }
 
     // A style's hair before its cuts, with all its forces and contact: cold, and after its first
     // force (or else gravity) has become 5 % stronger.
-    std::vector<Timing> style(Style style) {
+    Result<std::vector<Timing>> style(Style style) {
+        std::erase_if(style.parts,
+                      [](const Part& part) { return part.groom || !part.ties.empty(); });
+        if (style.parts.empty())
+            return Problem{"only hair that grows and is not tied can be timed; the style has none"};
         std::vector<Scene> scenes;
+        std::size_t strands = 0;
         for (const Part& part : style.parts) {
-            if (part.groom || !part.ties.empty()) continue;
             Result<Follicles> follicles = plant(part.scalp, mixKey(style.seed, textKey(part.name)));
-            if (!follicles) return {};
+            if (!follicles) return follicles.problems();
             Scene scene;
             scene.part = &part;
             scene.rods = grown(part, *follicles, style.solver.segments, style.solver.grading);
             scene.shares = rootShares(part.forces, follicles->angles);
             scene.nodes.resize(scene.rods.nodeCount());
+            strands += scene.rods.size();
             scenes.push_back(std::move(scene));
         }
-        const bool forced = !style.parts[0].forces.empty();
-        double& number = forced ? style.parts[0].forces[0].magnitude : style.gravity.y;
+        std::vector<Force>& forces = style.parts[0].forces;
+        double& number = forces.empty() ? style.gravity.y : forces[0].magnitude;
         const double shipped = number;
-        const auto settle = [&](double factor, bool warm) {
-            number = factor * shipped;
-            unsettled_ = 0;
-            for (Scene& scene : scenes)
-                unsettled_ += settleScene(scene, style.gravity, warm);
-        };
-        const auto add = [&](const char* name, double ms) {
-            std::size_t strands = 0;
-            for (const Scene& scene : scenes)
-                strands += scene.rods.size();
-            timings_.push_back({name, strands, static_cast<std::size_t>(style.solver.segments),
-                                threads_, ms, runs_});
-            noteUnsettled();
-        };
-        add("style-cold", time(
-                              runs_, [] {}, [&] { settle(1, false); }));
-        add("style-warm", time(
-                              runs_, [&] { settle(1, false); }, [&] { settle(1.05, true); }));
+        coldAndWarm("style", strands, static_cast<std::size_t>(style.solver.segments),
+                    [&](double factor, bool warm) {
+                        number = factor * shipped;
+                        std::size_t unsettled = 0;
+                        for (Scene& scene : scenes)
+                            unsettled += settleScene(scene, style.gravity, warm);
+                        return unsettled;
+                    });
         return timings_;
     }
 
@@ -161,7 +156,23 @@ private:
             .unsettled.size();
     }
 
-    void grow(int strands, int segments) {
+    // From the unloaded shape, and anew after 5 % more. `settle` takes the share of the load and
+    // whether it is warm, and returns how many are left unsettled.
+    void coldAndWarm(const std::string& name, std::size_t strands, std::size_t segments,
+                     const std::function<std::size_t(double, bool)>& settle) {
+        std::size_t unsettled = 0;
+        const auto run = [&](double load, bool warm) { unsettled = settle(load, warm); };
+        const auto add = [&](const char* state, double ms) {
+            timings_.push_back({name + state, strands, segments, threads_, ms, runs_});
+            if (unsettled > 0) timings_.back().note = std::to_string(unsettled) + " unsettled";
+        };
+        add("-cold", time(
+                         runs_, [] {}, [&] { run(1, false); }));
+        add("-warm", time(
+                         runs_, [&] { run(1, false); }, [&] { run(1.05, true); }));
+    }
+
+    void sized(int strands, int segments) {
         const Part straight = headOfHair(false, strands);
         const Result<Follicles> follicles = plant(straight.scalp, 1992);
         if (!follicles) return;
@@ -177,7 +188,7 @@ private:
                       double grading = 1) {
         std::vector<std::uint32_t> which(follicles.size());
         std::iota(which.begin(), which.end(), 0U);
-        return kushi::grow(part, follicles, uncut(part.hair, follicles, segments), which, grading);
+        return grow(part, follicles, uncut(part.hair, follicles, segments), which, grading);
     }
 
     void add(const std::string& name, const Rods& rods, double ms) {
@@ -195,33 +206,16 @@ private:
                 runs_, [] {}, bendAll));
     }
 
-    // True rest under loads that are in no common plane: from the unloaded shape, and anew after 5
-    // % more gravity.
+    // True rest under loads that are in no common plane.
     void rest(const std::string& name, const Rods& rods, const Ellipsoid* obstacle) {
         RodWorld world;
         world.obstacle = obstacle;
         RestState state;
-        RestOptions options;
-        options.threads = threads_;
         std::vector<Vec3f> nodes(rods.nodeCount());
-        const auto settle = [&](double gravity, bool warm) {
-            world.gravity = gravity * Vec3d{0.2, -1, 0.1};
-            options.warm = warm;
-            const RestReport report = settleRods(rods, world, state, nodes, options);
-            unsettled_ = report.unsettled.size();
-        };
-        add(name + "-cold", rods,
-            time(
-                runs_, [] {}, [&] { settle(1, false); }));
-        noteUnsettled();
-        add(name + "-warm", rods,
-            time(
-                runs_, [&] { settle(1, false); }, [&] { settle(1.05, true); }));
-        noteUnsettled();
-    }
-
-    void noteUnsettled() {
-        if (unsettled_ > 0) timings_.back().note = std::to_string(unsettled_) + " unsettled";
+        coldAndWarm(name, rods.size(), rods.segments(0), [&](double load, bool warm) {
+            world.gravity = load * Vec3d{0.2, -1, 0.1};
+            return settleRods(rods, world, state, nodes, {1e-5, warm, threads_}).unsettled.size();
+        });
     }
 
     // One thread, plain double precision, fewer strands; the time is scaled up to all of them.
@@ -267,7 +261,6 @@ private:
 
     int runs_;
     int threads_;
-    std::size_t unsettled_ = 0;
     std::vector<Timing> timings_;
 };
 
@@ -302,7 +295,9 @@ int runBench(const BenchArguments& arguments) {
     if (!arguments.style.empty()) {
         Result<Style> style = readStyle(arguments.style);
         if (!style) return report(style.problems());
-        timings = bench.style(std::move(*style));
+        Result<std::vector<Timing>> timed = bench.style(std::move(*style));
+        if (!timed) return report(timed.problems());
+        timings = std::move(*timed);
     } else {
         timings = arguments.growth ? bench.growth() : bench.run();
     }

@@ -80,16 +80,7 @@ TEST(GroomStyleCommand, IsCheckedSettledReportedAndDrawn) {
 
 TEST(GroomStyleCommand, GivesTheSameBytesFromAnyNumberOfThreads) {
     const std::string folder = folderWithStyle("gravity = [0, 1, 0.5]\n");
-    std::string first;
-    for (const char* threads : {"1", "2", "8"}) {
-        ASSERT_EQ(
-            runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair --threads " + threads)
-                .status,
-            0);
-        const std::string bytes = readBytes(folder + "/a.hair");
-        if (first.empty()) first = bytes;
-        EXPECT_TRUE(bytes == first) << threads;
-    }
+    expectTheSameFromAnyThreads(folder + "/a.toml", folder + "/a.hair");
     EXPECT_GT(readGroom(folder + "/a.hair")->strand(0).back().y, 0.15F);
 }
 

@@ -45,6 +45,16 @@ std::string readBytes(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+void expectTheSameFromAnyThreads(const std::string& style, const std::string& groom) {
+    std::string first;
+    for (const char* threads : {"1", "2", "8"}) {
+        ASSERT_EQ(runKushi("settle " + style + " -o " + groom + " --threads " + threads).status, 0);
+        const std::string bytes = readBytes(groom);
+        if (first.empty()) first = bytes;
+        EXPECT_TRUE(bytes == first) << threads;
+    }
+}
+
 std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes) {
     const auto bigEndian = [&](std::size_t at) {
         std::uint32_t value = 0;

@@ -22,6 +22,9 @@ std::string freshFolder();
 void writeText(const std::string& path, const std::string& text);
 std::string readBytes(const std::string& path);
 
+/// Settles a style to a groom with 1, 2 and 8 threads, and expects the same bytes each time.
+void expectTheSameFromAnyThreads(const std::string& style, const std::string& groom);
+
 /// Width and height of a PNG.
 std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes);
 

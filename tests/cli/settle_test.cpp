@@ -37,16 +37,7 @@ TEST(SettleCommand, WritesEveryFormatWithTheSameStrands) {
 TEST(SettleCommand, TheSameStyleGivesTheSameBytes) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
-    std::string first;
-    for (const char* threads : {"1", "2", "8"}) {
-        ASSERT_EQ(
-            runKushi("settle " + folder + "/a.toml -o " + folder + "/a.hair --threads " + threads)
-                .status,
-            0);
-        const std::string bytes = readBytes(folder + "/a.hair");
-        if (first.empty()) first = bytes;
-        EXPECT_TRUE(bytes == first) << threads;
-    }
+    expectTheSameFromAnyThreads(folder + "/a.toml", folder + "/a.hair");
 }
 
 TEST(SettleCommand, CountSegmentsAndReport) {

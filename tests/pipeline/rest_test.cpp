@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/grow.h"
+#include "pipeline/head_of_hair.h"
 
-#include <kushi/head.h>
 #include <kushi/settle.h>
 
 #include <cmath>
@@ -12,16 +12,7 @@ namespace kushi {
 namespace {
 
 Style style(int count) {
-    Style style;
-    style.solver = {Method::Equilibrium, 24, 1, 4};
-    style.parts.resize(1);
-    Part& part = style.parts[0];
-    part.name = "hair";
-    part.scalp.ellipsoid = headEllipsoid();
-    part.scalp.count = count;
-    part.scalp.regions = {{{0, radians(80)}, {}}};
-    part.hair.length = 0.15;
-    return style;
+    return headOfHair(count, 24, 0.15);
 }
 
 SettleOptions threads(int count) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline/tie_up.h"
+#include "pipeline/head_of_hair.h"
 
-#include <kushi/head.h>
 #include <kushi/settle.h>
 
 #include <cstring>
@@ -15,18 +14,10 @@ const Vec3d band = {-0.115, 0.07, 0};
 
 // Hair all over the top and sides, tied at the back.
 Style tied(int count, double length) {
-    Style style;
-    style.solver = {Method::Equilibrium, 40, 1, 4};
-    style.parts.resize(1);
-    Part& part = style.parts[0];
-    part.name = "hair";
-    part.scalp.ellipsoid = headEllipsoid();
-    part.scalp.count = count;
-    part.scalp.regions = {{{0, radians(80)}, {}}};
-    part.hair.length = length;
+    Style style = headOfHair(count, 40, length);
     HairTie tie;
     tie.at = band;
-    part.ties.push_back(tie);
+    style.parts[0].ties.push_back(tie);
     return style;
 }
 

@@ -86,6 +86,22 @@ TEST(RestContact, FreeHairEndsWhereGrowingLoadsTakeIt) {
     }
 }
 
+// Pulled in from all sides, without a head in the way: to the axis, where the force has no
+// direction.
+TEST(RestForce, HairThatIsPulledInComesToRest) {
+    const Rods rods = headOfHair(300, 25, {});
+    const std::vector<float> shares(rods.size(), 1);
+    for (const double magnitude : {-0.4, -1.0, -2.0}) {
+        Force force;
+        force.direction.radial = true;
+        force.magnitude = magnitude;
+        RodWorld world;
+        world.forces = {&force, 1};
+        world.rootShares = shares;
+        EXPECT_EQ(listed(rest::settle(rods, world)), 0U) << magnitude;
+    }
+}
+
 // Combed back by a force of one and three times the weight: the front's hair lies on the head.
 TEST(RestContact, NorWhenHairIsPressedOnIt) {
     for (const double magnitude : {1.0, 3.0}) {

@@ -160,28 +160,6 @@ TEST(RestRobust, WithoutLoadsAStrandKeepsItsShape) {
     }
 }
 
-// Towards the axis, where the force has no direction: hair meets there from all sides.
-TEST(RestRobust, HairThatIsPulledInComesToRest) {
-    for (const double magnitude : {-0.4, -1.0, -2.0}) {
-        Rods rods;
-        for (std::uint64_t i = 0; i < 300; ++i) {
-            const double phi = 0.021 * static_cast<double>(i);
-            const Vec3d out = {std::cos(phi), 0.3, std::sin(phi)};
-            rest::addRod(rods, frameAlong(normalized(out)), 60, 25, i);
-            rods.roots.back() = (0.4 * out).as<float>();
-        }
-        Force force;
-        force.direction.radial = true;
-        force.magnitude = magnitude;
-        const std::vector<float> shares(rods.size(), 1);
-        RodWorld world;
-        world.forces = {&force, 1};
-        world.rootShares = shares;
-        const rest::Settled settled = rest::settle(rods, world);
-        EXPECT_EQ(std::ranges::count(settled.states, 0), 0) << magnitude;
-    }
-}
-
 // Hundreds of times its weight, along the strand, against it and across; in a box whose edge the
 // strands cross. There need not be a rest of that size of load that Newton's method finds, but
 // nothing may go wrong unnoticed.

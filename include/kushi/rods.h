@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/style.h>
 #include <kushi/vec.h>
 
@@ -67,6 +68,13 @@ struct Tie {
                                 ///< rest with the strands: looked for near the mean of `point`
 };
 
+/// Hair that lies on other hair: what it rests on is taken to be thicker by `slope` times the way
+/// from the root, up to the way `reach`.
+struct Layer {
+    float slope = 0;  ///< >= 0
+    float reach = 0;  ///< m, >= 0
+};
+
 /// What acts on rods.
 struct RodWorld {
     Vec3d gravity = {0, -1, 0};  ///< times the earth's
@@ -75,6 +83,8 @@ struct RodWorld {
     std::span<const Force> forces = {};
     std::span<const float> rootShares = {};  ///< of each strand in each force, strand by strand
     const Ellipsoid* obstacle = nullptr;     ///< kept outside of; none if null
+    const DistanceField* solids = nullptr;   ///< kept outside of as well; none if null
+    std::span<const Layer> layers = {};      ///< of each strand; empty: all lie on the skin
     /// In the order of their strands. One that lies farther from the root than the hair between
     /// can reach leaves its strand unsettled.
     std::span<const Tie> ties = {};

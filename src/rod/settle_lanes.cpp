@@ -138,7 +138,8 @@ private:
         add(others);
         pass(warmPass, Start::Warm);
         // On the head it takes some more to find which nodes touch.
-        if (batch_.world->obstacle != nullptr) pass(passes[1], Start::Further);
+        if (batch_.world->obstacle != nullptr || batch_.world->solids != nullptr)
+            pass(passes[1], Start::Further);
         remember(left_.places, History::Renewed);
         add(renewed);
     }

@@ -58,6 +58,9 @@ void settleReference(const StrandBatch& batch);
 /// Width of the skin over a collider in which hair is held: about what other hair takes up [m].
 inline constexpr double contactSkin = 2e-3;
 
+/// Places along a segment at which it may lie on something, at most.
+inline constexpr int mostTouchPlaces = 8;
+
 /// Of a tie's spring at first, over what bends and pulls the strand; it holds by its force in the
 /// end.
 inline constexpr double tieStiffness = 10;

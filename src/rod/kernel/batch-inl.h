@@ -56,8 +56,8 @@ public:
           segments_(batch.rods->segments(batch.strands[0])),
           elementRoom_(segments_),
           nodeRoom_(segments_ + 1),
-          contactRoom_(batch.world->obstacle != nullptr || !batch.world->forces.empty() ||
-                               !batch.world->ties.empty()
+          contactRoom_(batch.world->obstacle != nullptr || batch.world->solids != nullptr ||
+                               !batch.world->forces.empty() || !batch.world->ties.empty()
                            ? segments_ + 1
                            : 0),
           tieRoom_(batch.world->ties.empty() ? 0 : segments_),
@@ -151,8 +151,7 @@ public:
         V pull = squareRoot(dot(problem_.gravity, problem_.gravity));
         for (const BoxForce<V>& force : forces_)
             pull += magnitude(force.strength);
-        problem_.support.collider = batch_.world->obstacle == nullptr ? nullptr : &ellipsoid_;
-        problem_.support.skin = number<V>(contactSkin);
+        takeColliders(longest);
         problem_.support.stiffness =
             (V(4) * total * pull + bending / (length_ * length_)) * number<V>(1 / contactSkin);
         gamma_ = total * pull * length_ * length_ / bending;
@@ -264,24 +263,37 @@ public:
         }
     }
 
-    // The least distance from the collider to a node but the root.
-    HWY_INLINE V nearest() const {
+    // The least distance from a collider to a node but the root, or to a place between.
+    HWY_INLINE V nearest(bool overLayers) const {
+        const Support<V>& support = problem_.support;
         V distance(1);
-        for (std::size_t j = 1; j <= segments_; ++j)
-            distance = least(distance, ellipsoid_.distance(nodes_[j].position));
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            for (int place = support.places; place > 0; --place) {
+                const V share = number<V>(static_cast<double>(place) / support.places);
+                const V before = V(1) - share;
+                const V layer = overLayers
+                                    ? before * contacts_[j - 1].layer + share * contacts_[j].layer
+                                    : V(0);
+                const V3<V> at = before * nodes_[j - 1].position + share * nodes_[j].position;
+                const V gap = support.distance(at, support.skin + layer) - layer;
+                distance = least(distance, gap);
+                // The others of the segment are as far.
+                if (!any(gap < support.skin + elements_[j - 1].length)) break;
+            }
+        }
         return distance;
     }
 
-    // Lanes that the collider does not push.
+    // Lanes that no collider pushes.
     HWY_INLINE MaskOf<V> clear() const {
-        if (problem_.support.collider == nullptr) return V(0) < V(1);
-        return nearest() >= problem_.support.skin;
+        if (!problem_.support.any()) return V(0) < V(1);
+        return nearest(true) >= problem_.support.skin;
     }
 
     // Strands in which a node lies inside the collider; their supports begin farther out from now
     // on. (Stiffer ones would keep nodes out as well, but many a curl would never come to rest.)
     HWY_INLINE MaskOf<V> pushedOut() {
-        const V deepest = nearest();
+        const V deepest = nearest(false);
         const MaskOf<V> inside = deepest < number<V>(-contactDepth);
         V& skin = problem_.support.skin;
         skin = select(inside, skin - V(1.2F) * deepest + number<V>(contactDepth), skin);
@@ -399,6 +411,35 @@ private:
         }
     }
 
+    // How far apart the places lie at which hair may lie on something: the ellipsoid is smooth.
+    void takeColliders(V longest) {
+        const RodWorld& world = *batch_.world;
+        Support<V>& support = problem_.support;
+        support.ellipsoid = world.obstacle == nullptr ? nullptr : &ellipsoid_;
+        support.field = world.solids == nullptr ? LaneField<V>() : LaneField<V>(*world.solids);
+        support.skin = number<V>(contactSkin);
+        if (!support.any()) return;
+        const V apart = number<V>(world.solids == nullptr ? 0.025 : 0.011);
+        support.places = 1;
+        while (support.places < mostTouchPlaces &&
+               any(longest > V(static_cast<float>(support.places)) * apart))
+            ++support.places;
+        V walked(0);
+        V slope(0);
+        V reach(0);
+        if (!world.layers.empty()) {
+            slope = gather<V>(
+                [&](std::size_t l) { return world.layers[batch_.strands[place(l)]].slope; });
+            reach = gather<V>(
+                [&](std::size_t l) { return world.layers[batch_.strands[place(l)]].reach; });
+        }
+        contacts_[0].layer = V(0);
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            walked += elements_[j - 1].length;
+            contacts_[j].layer = slope * least(walked, reach);
+        }
+    }
+
     void takeForces(V longest) {
         std::size_t count = 0;
         const RodWorld& world = *batch_.world;
@@ -494,7 +535,7 @@ HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& optio
         newton.place();
         steps += at.steps;
         MaskOf<V> again = V(1) < V(0);
-        if (block.problem().support.collider != nullptr) again = again | block.pushedOut();
+        if (block.problem().support.any()) again = again | block.pushedOut();
         if (!block.problem().ties.empty()) again = again | block.tightened(at.settled);
         again = again & at.settled;
         if (!any(again)) break;

@@ -55,10 +55,17 @@ template <class V, class Element>
 struct Contact {
     static constexpr int m = Element::freedoms;
 
-    V3<V> push;         // of the collider on the node
-    Matrix<V, 3, 3> k;  // stiffness of all that acts on it
-    V distance;         // to the collider
-    bool stiff;         // whether k is other than 0 in any lane
+    V layer;            // what lies between a collider and the node [m]
+    V3<V> push;         // of colliders on the node
+    V3<V> inner;        // and on the segment that ends here
+    V3<V> lever;        // of that each part by its share of the way along the segment
+    Matrix<V, 3, 3> k;  // stiffness of all that acts on the node
+    // Of what acts on the segment that ends here: in all, each part times its share of the way, and
+    // times the square of it.
+    Matrix<V, 3, 3> k0, k1, k2;
+    V distance;       // to the nearest collider
+    bool stiff;       // whether k is other than 0 in any lane
+    bool stiffInner;  // or k0
     Matrix<V, m, 3> byPlace;
     Matrix<V, 3, m> a, b;
 };
@@ -189,8 +196,15 @@ private:
             return;
         }
         place();
-        for (std::size_t j = 1; j < nodes_.size(); ++j)
-            touch(nodes_[j].position, contacts_[j]);
+        for (Touch& contact : contacts_) {
+            contact.push = contact.inner = contact.lever = {V(0), V(0), V(0)};
+            contact.k = diagonal<3>(V(0));
+            contact.stiff = contact.stiffInner = false;
+        }
+        if (problem_.support.any()) {
+            for (std::size_t j = 1; j < nodes_.size(); ++j)
+                touch(j);
+        }
         for (const LaneTie<V>& tie : problem_.ties)
             hold(tie, share);
         for (std::size_t j = 1; j < nodes_.size(); ++j)
@@ -206,13 +220,19 @@ private:
             addForce(force, middle, pull);
         node.load = weight * pull.force;
         if (!any(pull.varies)) return;
-        // Half of it as if it hung on each end.
         stiff_ = true;
-        const Matrix<V, 3, 3> half = (V(0.5F) * weight) * pull.stiffness;
-        for (const std::size_t end : {j - 1, j}) {
-            contacts_[end].k = contacts_[end].k + half;
-            contacts_[end].stiff = true;
+        stiffen(contacts_[j], weight * pull.stiffness, V(0.5F));
+    }
+
+    // What acts on a segment at a share of the way along it.
+    HWY_INLINE void stiffen(Touch& contact, const Matrix<V, 3, 3>& k, V share) {
+        if (!contact.stiffInner) {
+            contact.k0 = contact.k1 = contact.k2 = diagonal<3>(V(0));
+            contact.stiffInner = true;
         }
+        contact.k0 = contact.k0 + k;
+        contact.k1 = contact.k1 + share * k;
+        contact.k2 = contact.k2 + (share * share) * k;
     }
 
     HWY_INLINE void hold(const LaneTie<V>& tie, V share) {
@@ -224,23 +244,69 @@ private:
         stiff_ = contact.stiff = true;
     }
 
-    HWY_INLINE void touch(const V3<V>& place, Touch& contact) {
+    // Colliders on the segment that ends at node j: on the node, and at places between.
+    HWY_INLINE void touch(std::size_t j) {
+        const V skin = problem_.support.skin;
+        Touch& contact = contacts_[j];
+        contact.distance = press(nodes_[j].position, skin + contact.layer, [&](const auto& on) {
+            contact.push = contact.push + on.push;
+            contact.k = contact.k + on.k;
+            contact.stiff = true;
+        });
+        const int places = problem_.support.places;
+        if (places == 1) return;
+        const V far = V(0.5F) * problem_.elements[j - 1].length + contact.layer + skin;
+        const V nearer = j > 1 ? least(contact.distance, contacts_[j - 1].distance) : V(0);
+        if (!any(nearer < far)) return;
+        const V3<V> chord = nodes_[j].position - nodes_[j - 1].position;
+        for (int place = 1; place < places; ++place) {
+            const V share = number<V>(static_cast<double>(place) / places);
+            const V before = V(1) - share;
+            const V layer = before * contacts_[j - 1].layer + share * contact.layer;
+            press(nodes_[j - 1].position + share * chord, skin + layer, [&](const auto& on) {
+                contact.inner = contact.inner + on.push;
+                contact.lever = contact.lever + share * on.push;
+                stiffen(contact, on.k, share);
+            });
+        }
+    }
+
+    struct Pressure {
+        V3<V> push;
+        Matrix<V, 3, 3> k;
+    };
+
+    // What each collider that is nearer than `skin` does at a place. Returns the distance to the
+    // nearest.
+    HWY_INLINE V press(const V3<V>& at, V skin, const auto& apply) {
         const Support<V>& support = problem_.support;
-        contact.push = {V(0), V(0), V(0)};
-        contact.k = diagonal<3>(V(0));
-        contact.stiff = false;
-        if (support.collider == nullptr) return;
-        contact.distance = support.collider->distance(place);
-        const V depth = most(support.skin - contact.distance, V(0));
-        if (!any(depth > V(0))) return;
-        touched_ = touched_ | (depth > V(0));
-        stiff_ = contact.stiff = true;
-        const Nearness<V> near = support.collider->nearness(place);
-        const V push = support.stiffness * depth;
-        const V spring = select(depth > V(0), support.stiffness, V(0));
-        contact.push = push * near.normal;
-        contact.k = spring * outer(near.normal, near.normal) -
-                    least(push, curvature_ * support.stiffness * support.skin) * near.curvature;
+        const auto spring = [&](const Nearness<V>& near) HWY_ATTR {
+            const MaskOf<V> within = near.distance < skin;
+            touched_ = touched_ | within;
+            stiff_ = true;
+            const V push = support.stiffness * most(skin - near.distance, V(0));
+            const V stiffness = select(within, support.stiffness, V(0));
+            apply(Pressure{
+                push * near.normal,
+                stiffness * outer(near.normal, near.normal) -
+                    least(push, curvature_ * support.stiffness * support.skin) * near.curvature});
+        };
+        V nearest(1);
+        if (support.ellipsoid != nullptr) {
+            nearest = support.ellipsoid->distance(at);
+            if (any(nearest < skin)) {
+                Nearness<V> near = support.ellipsoid->nearness(at);
+                near.distance = nearest;
+                spring(near);
+            }
+        }
+        if (!support.field.empty()) {
+            Nearness<V> near;
+            const bool found = support.field.look(at, skin, near);
+            nearest = least(nearest, near.distance);
+            if (found && any(near.distance < skin)) spring(near);
+        }
+        return nearest;
     }
 
     // How much of the step to take: no node turns by more than `reach`, nor goes far into a
@@ -248,14 +314,13 @@ private:
     HWY_INLINE V stepShare(MaskOf<V> go, V relaxed, V reach) {
         const V largest = substitute();
         const V scale = relaxed * least(V(1), reach * reciprocal(most(largest, V(1e-6F))));
-        return problem_.support.collider != nullptr ? untilTouch(go, scale) : scale;
+        return problem_.support.any() ? untilTouch(go, scale) : scale;
     }
 
     // The share of a step up to where a node has just entered the skin: there the collider pushes
     // back in the next.
     HWY_INLINE V untilTouch(MaskOf<V> go, V scale) {
         const Support<V>& support = problem_.support;
-        const V bottom = V(0.98F) * support.skin;
         typename Element::State state = nodes_[0].state;
         V3<V> at = problem_.root;
         V reach(1);
@@ -263,8 +328,9 @@ private:
             const auto next = Element::turned(nodes_[j].state, scale * nodes_[j].step);
             at = at + Element::chord(problem_.elements[j - 1], state, next);
             state = next;
+            const V bottom = V(0.98F) * (support.skin + contacts_[j].layer);
             const V now = contacts_[j].distance;
-            const V then = support.collider->distance(at);
+            const V then = support.distance(at, bottom);
             const V free = now - least(bottom, V(0.5F) * now);
             const V fall = most(now - then, V(1e-9F));
             reach =
@@ -291,13 +357,17 @@ private:
 
         for (std::size_t j = nodes_.size() - 1; j > 0; --j) {
             Row& node = nodes_[j];
-            const bool coupled =
-                order == Order::Hessian && stiff_ && (lastHeld_ > 0 || contacts_[j].stiff);
-            if (stiff_) beyond = beyond + contacts_[j].push;
-            const auto d =
-                Element::template derive<order>(problem_.elements[j - 1], nodes_[j - 1].state,
-                                                node.state, beyond + V(0.5F) * node.load, coupled);
+            const bool coupled = order == Order::Hessian && stiff_ &&
+                                 (lastHeld_ > 0 || contacts_[j].stiff || contacts_[j].stiffInner);
+            V3<V> carries = beyond + V(0.5F) * node.load;
             beyond = beyond + node.load;
+            if (stiff_) {
+                const Touch& contact = contacts_[j];
+                carries = carries + contact.push + contact.lever;
+                beyond = beyond + contact.push + contact.inner;
+            }
+            const auto d = Element::template derive<order>(
+                problem_.elements[j - 1], nodes_[j - 1].state, node.state, carries, coupled);
             const Column<V, m> gradient = d.gb + carried;
             for (int r = 0; r < m; ++r)
                 worst = most(worst, magnitude(gradient[r]));
@@ -351,31 +421,47 @@ private:
     HWY_INLINE void couple(Row& node, Touch& contact, const Derivatives<V, m>& d, V least,
                            MaskOf<V>& stable, Matrix<V, m, m>& hessian, Column<V, m>& pull,
                            Cost& cost) {
+        // The end of the segment is displaced by u = x + a alpha + b beta, a place on it at the
+        // share t of the way by x + t (a alpha + b beta). What follows is written in beta, alpha
+        // and y = x + a alpha.
         const Matrix<V, 3, 3> q = contact.k + cost.xx;
         const Matrix<V, 3, m> qb = q * d.b;
         const Matrix<V, m, 3> bt = transposed(d.b);
+        const Matrix<V, m, 3> at = transposed(d.a);
         const Matrix<V, m, m> mixed = bt * cost.xf;
-        const Matrix<V, 3, m> w = qb + cost.xf;
+        Matrix<V, 3, m> w = qb + cost.xf;  // of y and beta
+        Matrix<V, m, m> hab = d.hab;       // of alpha and beta
+        Matrix<V, m, m> haa = d.haa;       // of alpha
+        Matrix<V, 3, 3> yy = q;            // of y
         hessian = hessian + bt * qb + mixed + transposed(mixed);
         pull = pull + bt * cost.x;
+        if (contact.stiffInner) {
+            const Matrix<V, 3, 3> after = contact.k1 - contact.k2;
+            const Matrix<V, 3, 3> before = contact.k0 - contact.k1;
+            hessian = hessian + bt * (contact.k2 * d.b);
+            w = w + contact.k1 * d.b;
+            hab = hab - at * (after * d.b);
+            haa = haa + at * ((before - after) * d.a);
+            yy = yy + contact.k0;
+        }
 
         const auto factors = factorize(hessian, least, stable);
         node.still = factors.solve(pull);
-        node.byTurn = factors.solve(transposed(d.hab));
+        node.byTurn = factors.solve(transposed(hab));
         contact.byPlace = factors.solve(transposed(w));
         contact.a = d.a;
         contact.b = d.b;
 
-        const Matrix<V, m, 3> at = transposed(d.a);
-        const Matrix<V, 3, 3> yy = q - w * contact.byPlace;
+        yy = yy - w * contact.byPlace;
         const Matrix<V, 3, m> yya = yy * d.a;
-        const Matrix<V, 3, m> ya = V(-1) * (w * node.byTurn);
+        Matrix<V, 3, m> ya = V(-1) * (w * node.byTurn);
+        if (contact.stiffInner) ya = ya + (contact.k1 - contact.k0) * d.a;
         const Matrix<V, m, m> aya = at * ya;
-        hessian = d.haa - d.hab * node.byTurn + at * yya + aya + transposed(aya);
+        hessian = haa - hab * node.byTurn + at * yya + aya + transposed(aya);
         cost.xx = yy;
         cost.xf = yya + ya;
         cost.x = cost.x - w * node.still;
-        pull = d.ga - d.hab * node.still + at * cost.x;
+        pull = d.ga - hab * node.still + at * cost.x;
     }
 
     // Root to tip: the step of each node. Returns the largest turn.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/distance_field.h>
+
+#include <array>
+
+namespace kushi {
+
+/// A distance field at a place, smoothed so that its gradient has no jumps.
+struct FieldProbe {
+    float distance = 0;               ///< m, < 0 inside
+    std::array<float, 3> gradient{};  ///< nearly unit near a surface
+    std::array<float, 6> hessian{};   ///< xx, yy, zz, xy, yz, zx [1/m]
+};
+
+/// The samples around a place, weighted by quadratic B-splines. They smooth: a surface of curvature
+/// k (1/m, the sum of both) lies k spacing^2 / 8 deeper than it is.
+///
+/// place  at least two spacings from the border of the grid; nearer, the field is 1 m away
+FieldProbe probe(const DistanceField& field, Vec3f place);
+
+/// Distance at the sample next to a place, about a spacing from what it is at the place; 1 m
+/// outside of the grid.
+inline float roughDistance(const DistanceField& field, Vec3f place) {
+    const float scale = 1 / field.spacing;
+    const float x = (place.x - field.origin.x) * scale + 0.5F;
+    const float y = (place.y - field.origin.y) * scale + 0.5F;
+    const float z = (place.z - field.origin.z) * scale + 0.5F;
+    const bool within = x >= 0 && y >= 0 && z >= 0 && x < static_cast<float>(field.size[0]) &&
+                        y < static_cast<float>(field.size[1]) &&
+                        z < static_cast<float>(field.size[2]);
+    if (!within) return 1;
+    const std::size_t at =
+        field.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
+    return static_cast<float>(field.units[at]) * field.unit();
+}
+
+}  // namespace kushi

@@ -10,7 +10,7 @@ namespace {
 // A quadratic B-spline's weights of three samples, and their first and second derivatives; a fourth
 // that does not count.
 struct Weights {
-    int first = 0;
+    float first = 0;
     float value[4]{}, slope[4]{}, bend[4]{};
 };
 
@@ -19,7 +19,7 @@ Weights weightsAt(float u) {
     const float f = u - nearest;
     const float low = 0.5F - f;
     const float high = 0.5F + f;
-    return {static_cast<int>(nearest) - 1,
+    return {nearest - 1,
             {0.5F * low * low, 0.75F - f * f, 0.5F * high * high, 0},
             {-low, -2 * f, high, 0},
             {1, -2, 1, 0}};
@@ -44,18 +44,20 @@ FieldProbe probe(const DistanceField& field, Vec3f place) {
     const Weights x = weightsAt((place.x - field.origin.x) * scale);
     const Weights y = weightsAt((place.y - field.origin.y) * scale);
     const Weights z = weightsAt((place.z - field.origin.z) * scale);
-    // A row of four is read.
-    const bool within = x.first >= 0 && y.first >= 0 && z.first >= 0 &&
-                        x.first + 3 < field.size[0] && y.first + 3 < field.size[1] &&
-                        z.first + 3 < field.size[2];
-    if (!within) return {1, {}, {}};
+    const auto within = [](const Weights& weights, int size) {
+        return weights.first >= 0 && weights.first + 3 < static_cast<float>(size);
+    };
+    // (Neither is a place that is not a number.)
+    if (!within(x, field.size[0]) || !within(y, field.size[1]) || !within(z, field.size[2]))
+        return {1, {}, {}};
+    const std::size_t first = field.index(static_cast<int>(x.first), static_cast<int>(y.first),
+                                          static_cast<int>(z.first));
 
     Row value, alongY, alongZ, bendY, bendZ, twist;  // sums over y and z
     for (int k = 0; k < 3; ++k) {
         Row plane, slope, bend;  // sums over y
         for (int j = 0; j < 3; ++j) {
-            const std::int16_t* units =
-                &field.units[field.index(x.first, y.first + j, z.first + k)];
+            const std::int16_t* units = &field.units[first + field.index(0, j, k)];
             Row row;
             for (int i = 0; i < 4; ++i)
                 row.at[i] = static_cast<float>(units[i]);
@@ -71,13 +73,12 @@ FieldProbe probe(const DistanceField& field, Vec3f place) {
         bendZ.add(z.bend[k], plane);
     }
     const float unit = field.unit();
-    const float first = unit * scale;
-    const float second = first * scale;
-    return {
-        unit * value.dot(x.value),
-        {first * value.dot(x.slope), first * alongY.dot(x.value), first * alongZ.dot(x.value)},
-        {second * value.dot(x.bend), second * bendY.dot(x.value), second * bendZ.dot(x.value),
-         second * alongY.dot(x.slope), second * twist.dot(x.value), second * alongZ.dot(x.slope)}};
+    const float slope = unit * scale;
+    const float bend = slope * scale;
+    return {unit * value.dot(x.value),
+            {slope * value.dot(x.slope), slope * alongY.dot(x.value), slope * alongZ.dot(x.value)},
+            {bend * value.dot(x.bend), bend * bendY.dot(x.value), bend * bendZ.dot(x.value),
+             bend * alongY.dot(x.slope), bend * twist.dot(x.value), bend * alongZ.dot(x.slope)}};
 }
 
 }  // namespace kushi

@@ -8,8 +8,7 @@
 #define KUSHI_ROD_LOADS_INL_H
 #endif
 
-#include "contact/field_probe.h"
-#include "rod/kernel/matrix-inl.h"
+#include "rod/kernel/field-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
@@ -81,14 +80,6 @@ HWY_INLINE void addForce(const BoxForce<V>& force, const V3<V>& at, Pull<V>& pul
             pull.stiffness(r, c) -= V(0.5F) * (direction[r] * slope[c] + direction[c] * slope[r]);
 }
 
-// A place as a collider sees it.
-template <class V>
-struct Nearness {
-    V distance;                 // to the surface, < 0 inside [m]
-    V3<V> normal;               // derivative of the distance, outward and nearly unit
-    Matrix<V, 3, 3> curvature;  // derivative of the normal [1/m]
-};
-
 // An ellipsoid, in world axes: f(x) = |S R' (x - center)| - 1 with S = 1 / semi-axes.
 template <class V>
 struct LaneEllipsoid {
@@ -114,78 +105,6 @@ struct LaneEllipsoid {
         const V3<V> gradient = transposed(scaling) * local;
         return (size - V(1)) * size / squareRoot(most(dot(gradient, gradient), V(1e-12F)));
     }
-};
-
-// A distance field, asked for one lane after the other.
-template <class V>
-class LaneField {
-public:
-    static constexpr std::size_t width = LaneTraits<V>::count;
-
-    LaneField() = default;
-    explicit LaneField(const DistanceField& field) : field_(&field) {}
-
-    bool empty() const { return field_ == nullptr; }
-
-    // Where it is more than `near`, it may be less than that by up to two spacings.
-    HWY_INLINE V distance(const V3<V>& at, V near) const {
-        alignas(64) ScalarOf<V> distances[width];
-        rough(at, near, distances, [&](std::size_t lane, Vec3f place) {
-            distances[lane] = static_cast<ScalarOf<V>>(probe(*field_, place).distance);
-        });
-        return loadLanes(distances, V());
-    }
-
-    // The distance likewise; where it is less than `near`, all of what is to be known. Whether that
-    // is so anywhere.
-    HWY_INLINE bool look(const V3<V>& at, V near, Nearness<V>& out) const {
-        alignas(64) ScalarOf<V> numbers[10][width];
-        bool found = false;
-        rough(at, near, numbers[0], [&](std::size_t lane, Vec3f place) {
-            if (!found) {
-                for (std::size_t i = 1; i < 10; ++i)
-                    for (std::size_t other = 0; other < width; ++other)
-                        numbers[i][other] = 0;
-            }
-            found = true;
-            const FieldProbe seen = probe(*field_, place);
-            numbers[0][lane] = static_cast<ScalarOf<V>>(seen.distance);
-            for (std::size_t i = 0; i < 3; ++i)
-                numbers[1 + i][lane] = static_cast<ScalarOf<V>>(seen.gradient[i]);
-            for (std::size_t i = 0; i < 6; ++i)
-                numbers[4 + i][lane] = static_cast<ScalarOf<V>>(seen.hessian[i]);
-        });
-        const auto number = [&](std::size_t i) HWY_ATTR { return loadLanes(numbers[i], V()); };
-        out.distance = number(0);
-        if (!found) return false;
-        out.normal = {number(1), number(2), number(3)};
-        const V xy = number(7);
-        const V yz = number(8);
-        const V zx = number(9);
-        out.curvature = {{{number(4), xy, zx}, {xy, number(5), yz}, {zx, yz, number(6)}}};
-        return true;
-    }
-
-private:
-    // Distances from the samples nearby; `close` is called where that is not enough.
-    HWY_INLINE void rough(const V3<V>& at, V near, ScalarOf<V>* distances,
-                          const auto& close) const {
-        alignas(64) ScalarOf<V> places[3][width];
-        alignas(64) ScalarOf<V> enough[width];
-        for (int axis = 0; axis < 3; ++axis)
-            storeLanes(at[axis], places[axis]);
-        storeLanes(near, enough);
-        for (std::size_t lane = 0; lane < width; ++lane) {
-            const Vec3f place = {static_cast<float>(places[0][lane]),
-                                 static_cast<float>(places[1][lane]),
-                                 static_cast<float>(places[2][lane])};
-            const float distance = roughDistance(*field_, place) - 2 * field_->spacing;
-            distances[lane] = static_cast<ScalarOf<V>>(distance);
-            if (distance <= static_cast<float>(enough[lane])) close(lane, place);
-        }
-    }
-
-    const DistanceField* field_ = nullptr;
 };
 
 // What strands lie on. A spring begins `skin` above each surface: there the strands are held so

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/style.h>
 
 #include <span>
@@ -27,8 +28,9 @@ struct ActiveForce {
 struct CantileverWorld {
     Vec3d gravity = {0, -1, 0};  ///< times the earth's
     std::span<const ActiveForce> forces = {};
-    Vec3d tipLoad;                        ///< dead load at the last node [N]
-    const Ellipsoid* obstacle = nullptr;  ///< kept outside of; none if null
+    Vec3d tipLoad;                          ///< dead load at the last node [N]
+    const Ellipsoid* obstacle = nullptr;    ///< kept outside of; none if null
+    const DistanceField* solids = nullptr;  ///< kept outside of as well; none if null
     int avoidanceSteps = 4;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/avoidance.h"
 
+#include "contact/field_probe.h"
+
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -15,11 +17,20 @@ Vec3d normalPart(Vec3d v, Vec3d axis) {
     return dot(part, part) > 1e-18 * dot(v, v) ? normalized(part) : Vec3d{};
 }
 
+// Outward at `from`, unit, of what `to` lies in.
+Vec3d outward(const Obstacles& obstacles, Vec3d from, Vec3d to) {
+    const bool inEllipsoid =
+        obstacles.ellipsoid != nullptr && isInside({obstacles.ellipsoid, nullptr}, to);
+    if (inEllipsoid || obstacles.solids == nullptr) return obstacles.ellipsoid->normal(from);
+    const FieldProbe seen = probe(*obstacles.solids, from.as<float>());
+    const Vec3d gradient = {seen.gradient[0], seen.gradient[1], seen.gradient[2]};
+    return length(gradient) > 1e-3 ? normalized(gradient) : Vec3d{0, 1, 0};
+}
+
 // Unit vector normal to `direction` in the plane to turn in, on the side of the axis before ->
 // from.
-Vec3d turningSide(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d direction) {
-    for (const Vec3d other :
-         {from - before, obstacle.normal(from), Vec3d{0, 1, 0}, Vec3d{1, 0, 0}}) {
+Vec3d turningSide(Vec3d outward, Vec3d before, Vec3d from, Vec3d direction) {
+    for (const Vec3d other : {from - before, outward, Vec3d{0, 1, 0}, Vec3d{1, 0, 0}}) {
         const Vec3d side = normalPart(other, direction);
         if (dot(side, side) > 0) return side;
     }
@@ -27,10 +38,10 @@ Vec3d turningSide(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d dir
 }
 
 // How many of the angles 90, 45, ... keep the end outside before one does not.
-int lastingSteps(const Ellipsoid& obstacle, Vec3d from, Vec3d along, Vec3d aside, int steps) {
+int lastingSteps(const Obstacles& obstacles, Vec3d from, Vec3d along, Vec3d aside, int steps) {
     double angle = std::numbers::pi / 2;
     for (int step = 0; step < steps; ++step, angle /= 2) {
-        if (isInside(obstacle, from + std::cos(angle) * along + std::sin(angle) * aside))
+        if (isInside(obstacles, from + std::cos(angle) * along + std::sin(angle) * aside))
             return step;
     }
     return steps;
@@ -38,17 +49,15 @@ int lastingSteps(const Ellipsoid& obstacle, Vec3d from, Vec3d along, Vec3d aside
 
 }  // namespace
 
-bool isInside(const Ellipsoid& obstacle, Vec3d point) {
-    return obstacle.implicit(point) < -1e-6;
-}
-
-Vec3d avoid(const Ellipsoid& obstacle, Vec3d before, Vec3d from, Vec3d to, int steps) {
+Vec3d avoid(const Obstacles& obstacles, Vec3d before, Vec3d from, Vec3d to, int steps) {
     const Vec3d along = to - from;
     const double size = length(along);
-    const Vec3d aside = size * turningSide(obstacle, before, from, along / size);
+    const Vec3d away = outward(obstacles, from, to);
+    const Vec3d aside = size * turningSide(away, before, from, along / size);
 
-    const int plus = lastingSteps(obstacle, from, along, aside, steps);
-    const int minus = lastingSteps(obstacle, from, along, -aside, steps);
+    const int plus = lastingSteps(obstacles, from, along, aside, steps);
+    const int minus = lastingSteps(obstacles, from, along, -aside, steps);
+    if (plus == 0 && minus == 0) return from + size * away;
     const bool takePlus = plus >= minus;
     const double angle = std::numbers::pi / std::exp2(takePlus ? plus : minus);
     return from + std::cos(angle) * along + (takePlus ? 1 : -1) * std::sin(angle) * aside;

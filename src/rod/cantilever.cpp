@@ -65,9 +65,8 @@ void bendCantilever(const CantileverRod& rod, const CantileverWorld& world,
             d * a0 + (compliance * dot(moment, a1)) * a1 + (compliance * dot(moment, a2)) * a2;
 
         Vec3d to = from + d * normalized(end);
-        if (world.obstacle != nullptr && isInside(*world.obstacle, to)) {
-            to = avoid(*world.obstacle, before, from, to, world.avoidanceSteps);
-        }
+        const Obstacles obstacles = {world.obstacle, world.solids};
+        if (isInside(obstacles, to)) to = avoid(obstacles, before, from, to, world.avoidanceSteps);
         nodes[i] = to;
         before = from;
     }

@@ -40,6 +40,7 @@ WalkWorld walkWorld(const RodWorld& world, int avoidanceSteps) {
                                force.magnitude / walk.pull, f});
     }
     walk.obstacle = world.obstacle;
+    walk.solids = world.solids;
     double angle = std::numbers::pi / 2;
     for (int step = 0; step < avoidanceSteps; ++step, angle /= 2) {
         walk.angles.push_back(

@@ -37,6 +37,7 @@ struct WalkWorld {
     Vec3d gravity;    ///< over `pull`, so that no load is large
     std::vector<WalkForce> forces;
     const Ellipsoid* obstacle = nullptr;
+    const DistanceField* solids = nullptr;
     std::vector<AvoidanceAngle> angles;
 };
 

@@ -27,7 +27,7 @@ TEST(Avoidance, GoesThroughTheStepsOfTheFigure) {
     ASSERT_GT(dot(aside, from - before), 0);
 
     const auto inside = [&](double angle) {
-        return isInside(circle, from + turned(along, aside, angle));
+        return isInside({&circle, nullptr}, from + turned(along, aside, angle));
     };
     ASSERT_TRUE(inside(0));
     ASSERT_FALSE(inside(90));     // n1+
@@ -38,20 +38,20 @@ TEST(Avoidance, GoesThroughTheStepsOfTheFigure) {
     ASSERT_FALSE(inside(11.25));  // n4+
 
     const Vec3d expected = from + turned(along, aside, 11.25);
-    EXPECT_LT(length(avoid(circle, before, from, from + along, 4) - expected), 1e-14);
+    EXPECT_LT(length(avoid({&circle, nullptr}, before, from, from + along, 4) - expected), 1e-14);
     // With fewer steps it stops at the angle reached.
-    EXPECT_LT(
-        length(avoid(circle, before, from, from + along, 2) - (from + turned(along, aside, 45))),
-        1e-14);
+    EXPECT_LT(length(avoid({&circle, nullptr}, before, from, from + along, 2) -
+                     (from + turned(along, aside, 45))),
+              1e-14);
 }
 
 TEST(Avoidance, TakesTheSideNearerToTheHairWhereBothLastAsLong) {
     const Ellipsoid sphere = {{}, {1, 1, 1}, 0};
     const Vec3d from = {0, 1, 0};
     const Vec3d to = from + Vec3d{0, -0.2, 0};  // straight in: both sides alike
-    const Vec3d right = avoid(sphere, from + Vec3d{-0.1, 0.1, 0}, from, to, 4);
+    const Vec3d right = avoid({&sphere, nullptr}, from + Vec3d{-0.1, 0.1, 0}, from, to, 4);
     EXPECT_GT(right.x, 0);
-    const Vec3d left = avoid(sphere, from + Vec3d{0.1, 0.1, 0}, from, to, 4);
+    const Vec3d left = avoid({&sphere, nullptr}, from + Vec3d{0.1, 0.1, 0}, from, to, 4);
     EXPECT_LT(left.x, 0);
 }
 
@@ -59,7 +59,7 @@ TEST(Avoidance, InLineTurnsInThePlaneOfTheOutwardNormal) {
     const Ellipsoid sphere = {{}, {1, 1, 1}, 0};
     const Vec3d from = {0, 1, 0};
     const Vec3d along = 0.3 * normalized(Vec3d{1, -1, 0});
-    const Vec3d to = avoid(sphere, from - along, from, from + along, 4);
+    const Vec3d to = avoid({&sphere, nullptr}, from - along, from, from + along, 4);
     EXPECT_NEAR(to.z, 0, 1e-15);
     // 90 and 45 clear the sphere, 22.5 does not: from the tangent upwards by 45 - 45 = 0 degrees.
     EXPECT_LT(length(to - (from + Vec3d{0.3, 0, 0})), 1e-12);
@@ -77,10 +77,10 @@ TEST(Avoidance, NeverEndsInsideAndKeepsTheLength) {
             from + 0.01 * normalized(Vec3d{unit(random), unit(random), unit(random)});
         const double d = 0.001 + 0.03 * std::abs(unit(random));
         const Vec3d to = from + d * normalized(Vec3d{unit(random), unit(random), unit(random)});
-        if (!isInside(e, to)) continue;
+        if (!isInside({&e, nullptr}, to)) continue;
         ++avoided;
-        const Vec3d out = avoid(e, before, from, to, 1 + i % 8);
-        ASSERT_FALSE(isInside(e, out));
+        const Vec3d out = avoid({&e, nullptr}, before, from, to, 1 + i % 8);
+        ASSERT_FALSE(isInside({&e, nullptr}, out));
         ASSERT_NEAR(length(out - from), d, 1e-12 * d + 1e-15);
     }
     EXPECT_GT(avoided, 10000);

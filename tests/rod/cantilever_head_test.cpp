@@ -45,7 +45,7 @@ TEST(CantileverOnAHead, NoNodeOfAHundredThousandRandomStrandsIsInside) {
         const std::vector<Vec3d> nodes = hairAt(at, hairLength, world, 12 + i % 25);
         bool near = false;
         for (const Vec3d& node : nodes) {
-            ASSERT_FALSE(isInside(head, node));
+            ASSERT_FALSE(isInside({&head, nullptr}, node));
             near = near || (&node != nodes.data() && head.implicit(node) < 0.05);
         }
         touched += near ? 1 : 0;

@@ -257,7 +257,7 @@ TEST_F(CantileverLanes, NeverEndASegmentInsideTheHead) {
         grow(groom, random, 1e4, 256);
         int near = 0;
         for (const Vec3f node : bent(groom)) {
-            ASSERT_FALSE(isInside(head, node.as<double>()));
+            ASSERT_FALSE(isInside({&head, nullptr}, node.as<double>()));
             near += head.implicit(node.as<double>()) < 0.05 ? 1 : 0;
         }
         EXPECT_GT(near, hairs);

@@ -8,6 +8,7 @@
 #define KUSHI_ROD_WALK_INL_H
 #endif
 
+#include "contact/avoidance.h"
 #include "rod/kernel/walk_avoidance-inl.h"
 #include "rod/kernel/walk_loads-inl.h"
 
@@ -91,6 +92,15 @@ public:
                 }
                 from = to;
             }
+            if (batch_.walk->solids != nullptr) {
+                const V3<Lanes> turned = outOfSolids(root + at, before, along, d, left);
+                if (any(dot(turned - along, turned - along) > Lanes(0))) {
+                    along = turned;
+                    step = d * along - lost;
+                    next = at + step;
+                    from = start + sphere_.along(next);
+                }
+            }
             before = along;
             lost = (next - at) - step;
             at = next;
@@ -137,6 +147,44 @@ private:
             forceRoom_.items()[count++] = {&force, strength, everywhere<Lanes>(force.direction)};
         }
         return forceRoom_.items().first(count);
+    }
+
+    // Segments that end in solids turn as avoid() has it, one by one; the others stay.
+    HWY_INLINE V3<Lanes> outOfSolids(const V3<Lanes>& from, const V3<Lanes>& before,
+                                     const V3<Lanes>& along, Lanes size, Lanes left) const {
+        alignas(64) float numbers[4][3][Lanes::count];
+        alignas(64) float sizes[Lanes::count];
+        alignas(64) float segments[Lanes::count];
+        const V3<Lanes> to = from + size * along;
+        for (int axis = 0; axis < 3; ++axis) {
+            storeLanes(from[axis], numbers[0][axis]);
+            storeLanes(before[axis], numbers[1][axis]);
+            storeLanes(along[axis], numbers[2][axis]);
+            storeLanes(to[axis], numbers[3][axis]);
+        }
+        storeLanes(size, sizes);
+        storeLanes(left, segments);
+        const Obstacles obstacles = {batch_.walk->obstacle, batch_.walk->solids};
+        const auto steps = static_cast<int>(batch_.walk->angles.size());
+        for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+            const auto vector = [&](std::size_t which) {
+                const auto& of = numbers[which];
+                return Vec3f{of[0][lane], of[1][lane], of[2][lane]};
+            };
+            if (segments[lane] <= 0 || distanceAt(*obstacles.solids, vector(3)) >= 0) continue;
+            const Vec3d start = vector(0).as<double>();
+            const double length = double{sizes[lane]};
+            const Vec3d way = normalized(vector(2).as<double>());
+            const Vec3d behind = start - length * normalized(vector(1).as<double>());
+            const Vec3d turned =
+                (avoid(obstacles, behind, start, start + length * way, steps) - start) / length;
+            numbers[2][0][lane] = static_cast<float>(turned.x);
+            numbers[2][1][lane] = static_cast<float>(turned.y);
+            numbers[2][2][lane] = static_cast<float>(turned.z);
+        }
+        const auto& turned = numbers[2];
+        return {loadLanes(turned[0], Lanes()), loadLanes(turned[1], Lanes()),
+                loadLanes(turned[2], Lanes())};
     }
 
     HWY_INLINE void put(std::size_t node, const V3<Lanes>& at) {

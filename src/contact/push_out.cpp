@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/push_out.h"
+
+#include "contact/field_probe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace kushi {
+
+namespace {
+
+constexpr double shortestStep = 2e-4;  // along a segment that grazes a surface [m]
+constexpr double rise = 1.0 / 3;       // of a strand that comes out of its root, by its way
+constexpr int attempts = 12;
+
+// How much nearer than wanted a segment is, where that is most; < 0: it is free.
+struct Want {
+    double lack = -1;  // m
+    double at = 0;     // the share of the segment
+};
+
+class Clearing {
+public:
+    Clearing(const DistanceField& solids, double margin, Vec3d root)
+        : solids_(solids), margin_(margin), start_(distance(root)) {}
+
+    // From `from`, `walked` from the root, by `way`.
+    Want look(Vec3d from, Vec3d way, double walked) const {
+        const double size = length(way);
+        Want worst{-1e9, 0};
+        double along = 0;
+        while (true) {
+            const double here = distance(from + (size > 0 ? along / size : 0) * way);
+            const double lack = wanted(walked + along) - here;
+            if (lack > worst.lack) worst = {lack, size > 0 ? along / size : 1};
+            if (along >= size) return worst;
+            // Distances grow by no more than the way; what is wanted, by less.
+            along = std::min(size, along + std::max(shortestStep, -lack / (1 + rise)));
+        }
+    }
+
+    // The way that a segment takes instead; `free` tells whether it is free there.
+    Vec3d turned(Vec3d from, Vec3d way, double walked, bool& free) const {
+        const double size = length(way);
+        Vec3d best = way;
+        Want least = look(from, way, walked);
+        Want now = least;
+        Vec3d next = way;
+        for (int i = 0; i < attempts && now.lack > 0; ++i) {
+            const double at = std::max(now.at, 0.1);
+            const Vec3d place = from + now.at * next;
+            next = at * next + (now.lack + 1e-5) * outward(place);
+            next = (size / std::max(length(next), 1e-12)) * next;
+            now = look(from, next, walked);
+            if (now.lack >= least.lack) continue;
+            least = now;
+            best = next;
+        }
+        if (least.lack > 0) best = searched(from, way, walked, best, least);
+        free = least.lack <= 0;
+        return best;
+    }
+
+private:
+    double distance(Vec3d place) const {
+        return static_cast<double>(distanceAt(solids_, place.as<float>()));
+    }
+
+    double wanted(double walked) const {
+        return std::min(margin_, std::min(start_, 0.0) + rise * walked - 1e-6);
+    }
+
+    Vec3d outward(Vec3d place) const {
+        const FieldProbe seen = probe(solids_, place.as<float>());
+        const Vec3d gradient = {seen.gradient[0], seen.gradient[1], seen.gradient[2]};
+        return length(gradient) > 1e-3 ? normalized(gradient) : Vec3d{0, 1, 0};
+    }
+
+    // The free way that is turned least, of many around; else the best of them.
+    Vec3d searched(Vec3d from, Vec3d way, double walked, Vec3d best, Want& least) const {
+        constexpr int around = 16;
+        const double size = length(way);
+        const Vec3d along = normalized(way);
+        const Vec3d other = std::abs(along.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+        const Vec3d u = normalized(cross(along, other));
+        const Vec3d v = cross(along, u);
+        for (int tilt = 1; tilt <= 12 && least.lack > 0; ++tilt) {
+            const double angle = tilt * std::numbers::pi / 12;
+            for (int side = 0; side < around; ++side) {
+                const double turn = side * 2 * std::numbers::pi / around;
+                const Vec3d next =
+                    size * (std::cos(angle) * along +
+                            std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v));
+                const Want found = look(from, next, walked);
+                if (found.lack >= least.lack) continue;
+                least = found;
+                best = next;
+            }
+        }
+        return best;
+    }
+
+    const DistanceField& solids_;
+    double margin_;
+    double start_;  // distance of the root
+};
+
+}  // namespace
+
+double clearance(const DistanceField& solids, std::span<const Vec3f> nodes, double margin) {
+    const Clearing clearing(solids, margin, nodes[0].as<double>());
+    double lack = -margin;
+    double walked = 0;
+    for (std::size_t j = 1; j < nodes.size(); ++j) {
+        const Vec3d from = nodes[j - 1].as<double>();
+        const Vec3d way = nodes[j].as<double>() - from;
+        lack = std::max(lack, clearing.look(from, way, walked).lack);
+        walked += length(way);
+    }
+    return margin - std::max(lack, 0.0);
+}
+
+bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes) {
+    const Clearing clearing(solids, margin, nodes[0].as<double>());
+    bool all = true;
+    double walked = 0;
+    Vec3d moved;  // of all that lies beyond
+    for (std::size_t j = 1; j < nodes.size(); ++j) {
+        const Vec3d from = nodes[j - 1].as<double>();
+        const Vec3d way = nodes[j].as<double>() + moved - from;
+        const double size = length(way);
+        Vec3d next = way;
+        if (size > 0 && clearing.look(from, way, walked).lack > 0) {
+            bool free = false;
+            next = clearing.turned(from, way, walked, free);
+            all = all && free;
+        }
+        moved = moved + (next - way);
+        nodes[j] = (from + next).as<float>();
+        walked += size;
+    }
+    return all;
+}
+
+}  // namespace kushi

@@ -192,12 +192,31 @@ struct Solver {
     int avoidanceSteps = 4;  ///< angles tried, 1 to 16
 };
 
+/// A body besides the head that hair keeps out of.
+struct Collider {
+    std::string mesh;         ///< "mannequin", or the path of a file for readMesh
+    MeshPlacement placement;  ///< of a file; its origin is the file's own unless the style says so
+    double gap = 0;           ///< by which hair stays farther off; below 0 it may sink in [m]
+    double friction = 0;      ///< Coulomb's coefficient
+};
+
+/// Hair against hair.
+struct Contact {
+    bool layers = true;             ///< hair lies on the hair that grows below it
+    std::optional<double> packing;  ///< share of space that hair may fill, in (0, 0.9]
+};
+
 struct Style {
     std::string name;
     std::uint64_t seed = 1;
     Vec3d gravity = {0, -1, 0};          ///< times the earth's
     std::string headMesh = "mannequin";  ///< or "none", or the path of a file for readMesh
     MeshPlacement headPlacement;         ///< of a head from a file
+    bool headCollides = true;            ///< whether hair keeps out of the head
+    double headGap = 0;                  ///< as of Collider [m]
+    double headFriction = 0;             ///< as of Collider
+    std::vector<Collider> colliders;     ///< in the order of the file
+    Contact contact;
     Solver solver;
     std::vector<Part> parts;
 };

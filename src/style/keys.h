@@ -26,14 +26,19 @@ struct TableKeys {
 
 namespace tables {
 
-inline constexpr TableKeys top = {"the style",
-                                  {"kushi", "name", "seed", "gravity", "head", "solver", "part",
-                                   "scalp", "groom", "hair", "force", "cut", "tie"}};
+inline constexpr TableKeys top = {
+    "the style",
+    {"kushi", "name", "seed", "gravity", "head", "collider", "contact", "solver", "part", "scalp",
+     "groom", "hair", "force", "cut", "tie"}};
 inline constexpr TableKeys head = {
-    "[head]", {"mesh", "unit", "up", "front", "origin", "offset", "landmarks"}};
+    "[head]",
+    {"mesh", "unit", "up", "front", "origin", "offset", "landmarks", "collide", "gap", "friction"}};
 inline constexpr TableKeys landmarks = {
     "landmarks",
     {"crown", "hairline", "brows", "eyes", "ears", "nose", "lips", "nape", "chin", "shoulders"}};
+inline constexpr TableKeys collider = {
+    "[[collider]]", {"mesh", "unit", "up", "front", "origin", "offset", "gap", "friction"}};
+inline constexpr TableKeys contact = {"[contact]", {"layers", "packing"}};
 inline constexpr TableKeys solver = {"[solver]",
                                      {"method", "segments", "grading", "avoidance_steps"}};
 inline constexpr TableKeys part = {"[[part]]",
@@ -59,9 +64,10 @@ inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {
-    &top,  &head, &landmarks, &solver, &part,  &scalp,  &ellipsoid, &regions, &hair,
-    &curl, &wave, &force,     &cut,    &roots, &within, &falloff,   &groom,   &tie};
+inline constexpr const TableKeys* all[] = {&top,     &head,      &landmarks, &solver,   &part,
+                                           &scalp,   &ellipsoid, &regions,   &hair,     &curl,
+                                           &wave,    &force,     &cut,       &roots,    &within,
+                                           &falloff, &groom,     &tie,       &collider, &contact};
 
 }  // namespace tables
 

@@ -48,6 +48,10 @@ inline double fromSrgb(double value) {
 inline constexpr Quantity gravity = {-100, 100, "times the earth's"};
 
 inline constexpr Quantity place = {-1000, 1000, "cm", fromCentimetres};
+/// By which hair stays off a body.
+inline constexpr Quantity gap = {-2, 5, "cm", fromCentimetres, {{"mm", 0.1}}};
+inline constexpr Quantity friction = {0, 2, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity packing = {0.001, 0.9, "", [](double v) { return v; }, {{"%", 0.01}}};
 /// What one unit of a mesh or strand file is.
 inline constexpr Quantity fileUnit = {1e-4, 1e4, "cm", fromCentimetres};
 /// Of a tie.

@@ -2,33 +2,11 @@
 #include "style/read_parts.h"
 #include "style/read_placement.h"
 
-#include <filesystem>
+#include <array>
 
 namespace kushi {
 
 namespace {
-
-bool looksLikePath(const std::string& text) {
-    return text.find_first_of("./\\") != std::string::npos;
-}
-
-// Whether it is a file's.
-bool readMeshKey(const TableReader& table, Style& style) {
-    const Node* mesh = table.find("mesh");
-    if (mesh == nullptr || mesh->kind != Kind::String || !looksLikePath(mesh->string())) {
-        table.choice<std::string>("mesh", {{"mannequin", "mannequin"}, {"none", "none"}},
-                                  style.headMesh);
-        return false;
-    }
-    if (isMeshPath(mesh->string())) {
-        style.headMesh = std::filesystem::path(table.context().folder) / mesh->string();
-    } else {
-        table.context().problems.unexpected(
-            "mesh", *mesh,
-            R"("mannequin", "none" or a file that ends in .obj, .ply, .stl, .gltf or .glb)");
-    }
-    return true;
-}
 
 void readLandmarks(const TableReader& head) {
     const Node* node = head.table("landmarks", tables::landmarks);
@@ -46,21 +24,13 @@ void readLandmarks(const TableReader& head) {
 
 void readHead(const Node& node, ReadContext& context, Style& style) {
     const TableReader table(node, tables::head, context);
-    const bool fromFile = readMeshKey(table, style);
-    MeshPlacement& placement = style.headPlacement;
-    readFileUnit(table, placement.unit);
-    readAxes(table, placement.up, placement.front);
-    table.choice<MeshOrigin>("origin", {{"crown", MeshOrigin::Crown}, {"file", MeshOrigin::File}},
-                             placement.origin);
-    table.vector("offset", quantities::place, placement.offset);
+    constexpr std::array<std::string_view, 2> names = {"mannequin", "none"};
+    const bool fromFile = readMeshPath(table, names, style.headMesh);
+    readMeshPlacement(table, fromFile, style.headPlacement);
     readLandmarks(table);
-    for (const char* key : {"unit", "up", "front", "origin", "offset"}) {
-        const Entry* entry = node.find(key);
-        if (entry == nullptr || fromFile) continue;
-        context.problems.add(entry->at, '\'' + entry->key +
-                                            "' places a mesh from a file, and [head] names none, "
-                                            "expected mesh = \"a path\" beside it");
-    }
+    table.boolean("collide", style.headCollides);
+    table.number("gap", quantities::gap, style.headGap);
+    table.number("friction", quantities::friction, style.headFriction);
 }
 
 }  // namespace kushi

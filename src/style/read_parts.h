@@ -16,6 +16,8 @@ namespace kushi {
 
 /// Also the heights of the head's landmarks, in the context.
 void readHead(const Node& node, ReadContext& context, Style& style);
+Collider readCollider(const Node& node, ReadContext& context);
+Contact readContact(const Node& node, ReadContext& context);
 Scalp readScalp(const Node& node, ReadContext& context);
 /// A path, or a table of a path and how its numbers are meant.
 GroomSource readGroomSource(const Entry& entry, ReadContext& context);

@@ -181,6 +181,12 @@ void readTop(const TableReader& table, Style& style) {
     if (const Node* head = table.table("head", tables::head)) {
         readHead(*head, table.context(), style);
     }
+    for (const Node* collider : table.tables("collider", tables::collider)) {
+        style.colliders.push_back(readCollider(*collider, table.context()));
+    }
+    if (const Node* contact = table.table("contact", tables::contact)) {
+        style.contact = readContact(*contact, table.context());
+    }
     if (const Node* solver = table.table("solver", tables::solver)) {
         style.solver = readSolver(*solver, table.context());
     }

@@ -124,6 +124,16 @@ void TableReader::text(std::string_view key, std::string& out) const {
     }
 }
 
+void TableReader::boolean(std::string_view key, bool& out) const {
+    const Node* value = find(key);
+    if (value == nullptr) return;
+    if (value->kind == Kind::Boolean) {
+        out = *std::get_if<bool>(&value->scalar);
+    } else {
+        context_.problems.unexpected(key, *value, "true or false");
+    }
+}
+
 std::optional<std::int64_t> TableReader::whole(std::string_view key, std::int64_t low,
                                                std::int64_t high) const {
     const Node* value = find(key);

@@ -41,6 +41,8 @@ public:
     TableReader(const Node& table, const TableKeys& known, ReadContext& context);
 
     const Node& node() const { return node_; }
+    /// As problems name it.
+    std::string label() const { return context_.label(known_); }
     ReadContext& context() const { return context_; }
 
     /// The value of a key; null if it is missing.
@@ -58,6 +60,7 @@ public:
     void number(std::string_view key, const Quantity& quantity, std::optional<double>& out) const;
     void vector(std::string_view key, const Quantity& quantity, Vec3d& out) const;
     void text(std::string_view key, std::string& out) const;
+    void boolean(std::string_view key, bool& out) const;
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t low,
                                       std::int64_t high) const;
 

@@ -336,6 +336,41 @@ const Malformed heads[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Heads, MalformedStyle, testing::ValuesIn(heads));
 
+std::string inCollider(const std::string& lines) {
+    return withTables("[[collider]]\nmesh = \"me.glb\"\n" + lines);
+}
+
+const Malformed bodies[] = {
+    {inHead("collide = @0"), {"collide: found 0, expected true or false"}},
+    {inHead("collide = @\"no\""), {"collide: found the string \"no\", expected true or false"}},
+    {inHead("gap = @-2.5"), {"gap: found -2.5, expected a number from -2 to 5 cm"}},
+    {inHead("gap = @30"), {"30 mm would be 3"}},
+    {inHead("friction = @-0.1"), {"friction: found -0.1, expected a number from 0 to 2"}},
+    {withTables("@[[collider]]\nunit = \"mm\""),
+     {"[[collider]] has no 'mesh', expected the path of what hair keeps out of"}},
+    {withTables("[[collider]]\n@mehs = \"me.glb\""),
+     {"unknown key 'mehs' in [[collider]]; did you mean 'mesh'?"}},
+    {withTables("[[collider]]\nmesh = @\"none\""),
+     {R"(mesh: found the string "none", expected "mannequin")"}},
+    {withTables("[[collider]]\nmesh = @\"me.fbx\""),
+     {R"(mesh: found the string "me.fbx", expected "mannequin" or a file that ends in .obj, .ply)"}},
+    {withTables("[[collider]]\nmesh = \"mannequin\"\n@offset = [0, 1, 0]"),
+     {"'offset' places a mesh from a file, and [[collider]] names none"}},
+    {withTables("@[collider]\nmesh = \"me.glb\""),
+     {"collider: found a table, expected [[collider]], one for each"}},
+    {inCollider("up = @\"z\""), {"up and front lie along the same axis of the file"}},
+    {inCollider("gap = @6"), {"gap: found 6, expected a number from -2 to 5 cm"}},
+    {inCollider("friction = @3"), {"friction: found 3, expected a number from 0 to 2; 3 % would"}},
+    {inCollider("@collide = true"),
+     {"unknown key 'collide' in [[collider]]; it belongs in [head]"}},
+    {withTables("[contact]\nlayers = @1\npacking = @0"),
+     {"layers: found 1, expected true or false", "packing: found 0, expected a number from 0.001"}},
+    {withTables("[contact]\npacking = @0.95"), {"to 0.9"}},
+    {withTables("[contact]\n@friction = 1"), {"unknown key 'friction' in [contact]"}},
+    {atTop("contact = @true"), {"contact: found true, expected the table [contact]"}},
+};
+INSTANTIATE_TEST_SUITE_P(Bodies, MalformedStyle, testing::ValuesIn(bodies));
+
 const std::string rest = "[solver]\nmethod = \"equilibrium\"\n";
 
 const Malformed natural[] = {

@@ -81,6 +81,13 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::top, "gravity", quantities::gravity},
         {tables::head, "unit", quantities::fileUnit},
         {tables::head, "offset", quantities::place},
+        {tables::head, "gap", quantities::gap},
+        {tables::head, "friction", quantities::friction},
+        {tables::collider, "unit", quantities::fileUnit},
+        {tables::collider, "offset", quantities::place},
+        {tables::collider, "gap", quantities::gap},
+        {tables::collider, "friction", quantities::friction},
+        {tables::contact, "packing", quantities::packing},
         {tables::groom, "unit", quantities::fileUnit},
         {tables::groom, "offset", quantities::place},
         {tables::landmarks, "brows", quantities::place},
@@ -152,7 +159,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 6);
+    EXPECT_EQ(examples, 7);
 }
 
 }  // namespace

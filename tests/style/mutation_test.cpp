@@ -17,6 +17,14 @@ seed = 0x7C8
 gravity = [0, -1.0, 0]
 [head]
 mesh = "none"
+gap = 0.1
+[[collider]]
+mesh = "hat.stl"
+origin = "crown"
+friction = 0.5
+[contact]
+layers = true
+packing = 0.5
 [solver]
 method = "cantilever"
 segments = 2_4

@@ -48,6 +48,12 @@ TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
     EXPECT_EQ(style.seed, 1U);
     EXPECT_EQ(style.gravity, (Vec3d{0, -1, 0}));
     EXPECT_EQ(style.headMesh, "mannequin");
+    EXPECT_TRUE(style.headCollides);
+    EXPECT_EQ(style.headGap, 0);
+    EXPECT_EQ(style.headFriction, 0);
+    EXPECT_TRUE(style.colliders.empty());
+    EXPECT_TRUE(style.contact.layers);
+    EXPECT_EQ(style.contact.packing, std::nullopt);
     EXPECT_EQ(style.solver.method, Method::Cantilever);
     EXPECT_EQ(style.solver.segments, 24);
     EXPECT_EQ(style.solver.avoidanceSteps, 4);
@@ -228,6 +234,54 @@ TEST(Style, AHeadFromAFileIsFoundFromTheStyle) {
     EXPECT_EQ(placed.origin, MeshOrigin::File);
     EXPECT_EQ(placed.offset, (Vec3d{0, -0.015, 0.02}));
     EXPECT_EQ(headIn("a", "mesh = \"a.ply\"\nunit = 12\n").headPlacement.unit, 0.12);
+}
+
+TEST(Style, SaysHowHairKeepsOffTheHead) {
+    const Style style = parsed(smallest + "[head]\ncollide = false\ngap = -0.25\nfriction = 0.4\n");
+    EXPECT_FALSE(style.headCollides);
+    EXPECT_EQ(style.headGap, -0.0025);
+    EXPECT_EQ(style.headFriction, 0.4);
+}
+
+TEST(Style, CollidersAreReadInOrderAndFoundFromTheStyle) {
+    const auto style = parseStyle(
+        smallest +
+            "[[collider]]\nmesh = \"bodies/me.OBJ\"\n"
+            "[[collider]]\nmesh = \"hat.stl\"\nunit = \"mm\"\nup = \"z\"\nfront = \"-y\"\n"
+            "origin = \"crown\"\noffset = [0, 1, -2]\ngap = 5\nfriction = 2\n"
+            "[[collider]]\nmesh = \"mannequin\"\ngap = 0.5\n",
+        "styles/a.toml");
+    ASSERT_TRUE(style.ok()) << toString(style.problems()[0]);
+    ASSERT_EQ(style->colliders.size(), 3U);
+
+    const Collider& body = style->colliders[0];
+    EXPECT_EQ(body.mesh, "styles/bodies/me.OBJ");
+    EXPECT_EQ(body.placement.unit, std::nullopt);
+    EXPECT_EQ(body.placement.up, (Vec3d{0, 1, 0}));
+    EXPECT_EQ(body.placement.front, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(body.placement.origin, MeshOrigin::File);
+    EXPECT_EQ(body.placement.offset, Vec3d{});
+    EXPECT_EQ(body.gap, 0);
+    EXPECT_EQ(body.friction, 0);
+
+    const Collider& hat = style->colliders[1];
+    EXPECT_EQ(hat.mesh, "styles/hat.stl");
+    EXPECT_EQ(hat.placement.unit, 0.001);
+    EXPECT_EQ(hat.placement.up, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(hat.placement.front, (Vec3d{0, -1, 0}));
+    EXPECT_EQ(hat.placement.origin, MeshOrigin::Crown);
+    EXPECT_EQ(hat.placement.offset, (Vec3d{0, 0.01, -0.02}));
+    EXPECT_EQ(hat.gap, 0.05);
+    EXPECT_EQ(hat.friction, 2);
+
+    EXPECT_EQ(style->colliders[2].mesh, "mannequin");
+    EXPECT_EQ(style->colliders[2].gap, 0.005);
+}
+
+TEST(Style, HairAgainstHairIsRead) {
+    const Contact contact = parsed(smallest + "[contact]\nlayers = false\npacking = 0.9\n").contact;
+    EXPECT_FALSE(contact.layers);
+    EXPECT_EQ(contact.packing, 0.9);
 }
 
 TEST(Style, ZonesStandForTheirRanges) {
@@ -461,6 +515,8 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::top, ""},
         {&tables::head, "[head]\n"},
         {&tables::landmarks, "[head.landmarks]\n"},
+        {&tables::collider, "[[collider]]\n"},
+        {&tables::contact, "[contact]\n"},
         {&tables::solver, "[solver]\n"},
         {&tables::part, "[[part]]\n"},
         {&tables::scalp, "[scalp]\n"},

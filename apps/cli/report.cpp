@@ -56,7 +56,16 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
         json["wall_ms"][stage.stage] = stage.milliseconds;
     json["wall_ms"]["total"] = clock.total();
     json["max_penetration_cm"] = nullptr;
-    if (report.maxPenetration) json["max_penetration_cm"] = 100 * *report.maxPenetration;
+    double deepest = 0;
+    for (const PartPenetration& part : report.penetration) {
+        deepest = std::max(deepest, part.deepest);
+        json["penetration"].push_back(
+            {{"part", part.part}, {"deepest_cm", 100 * part.deepest}, {"strands", part.strands}});
+    }
+    if (!report.penetration.empty()) json["max_penetration_cm"] = 100 * deepest;
+    json["pushed_out"] = report.pushedOut;
+    json["stuck"] = report.stuck;
+    if (report.solidsSpacing) json["solids_spacing_cm"] = 100 * *report.solidsSpacing;
     json["max_residual"] = nullptr;
     if (report.maxResidual) json["max_residual"] = *report.maxResidual;
     json["unsettled"] = report.unsettled;

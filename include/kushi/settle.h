@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/mesh.h>
 #include <kushi/result.h>
 #include <kushi/strands.h>
@@ -20,7 +21,7 @@ struct SettleOptions {
     std::optional<int> segments;       ///< per strand, 1 to 256
     std::optional<std::size_t> count;  ///< strands of all parts together, before cuts leave any out
     int threads = 0;                   ///< 0: as many as the machine has
-    bool measurePenetration = false;   ///< fill SettleReport::maxPenetration
+    bool measurePenetration = false;   ///< fill SettleReport::penetration
     /// Told the share done, in [0, 1], now and then and from any thread; may be empty.
     std::function<void(double)> progress;
 };
@@ -40,13 +41,24 @@ struct SetReport {
     double stiffenedMedian = 1, stiffenedMost = 1;
 };
 
+/// How far a part's hair is inside of what it is kept out of: solids, or where there are none its
+/// scalp's ellipsoid.
+struct PartPenetration {
+    std::string part;
+    double deepest = 0;       ///< of 8 points a segment [m]
+    std::size_t strands = 0;  ///< that are deeper than 0.1 mm
+};
+
 struct SettleReport {
     std::size_t strands = 0;
     std::size_t segments = 0;  ///< in all
     std::vector<StageTime> stages;
-    /// Deepest point inside the part's own ellipsoid, of 8 a segment [m]. The cantilever keeps
-    /// nodes outside, not what lies between them. Grooms have no such ellipsoid and do not count.
-    std::optional<double> maxPenetration;
+    /// If measured, of each part; not of grooms, which nothing keeps out.
+    std::vector<PartPenetration> penetration;
+    /// Strands that came to rest in solids with a place between their nodes, or walked there, and
+    /// were turned out of them; and those that are still nearer than they should be.
+    std::size_t pushedOut = 0, stuck = 0;
+    std::optional<double> solidsSpacing;  ///< of the solids' distance field [m]
     /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how
     /// many strands did not come to rest. The cantilever solves for no rest.
     std::optional<double> maxResidual;
@@ -65,8 +77,8 @@ struct SettledGroom {
     SettleReport report;
 };
 
-/// Style -> follicles -> rods -> cuts. The same style gives the same bytes from any number of
-/// threads.
+/// Style -> solids, follicles -> rods -> cuts. The same style gives the same bytes from any number
+/// of threads.
 ///
 /// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
 /// anew. Parts share it in proportion to what they have; a groom never has more strands than its
@@ -83,6 +95,10 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {
 /// The strands of a part with a groom, in Kushi's axes. A file that is missing, is no groom, has no
 /// strands, or has diameters where the style has a taper is a problem at the place in the style.
 Result<Strands> groomOf(const Part& part);
+
+/// What the style's hair is kept out of: its head, if that collides, and its colliders. Empty if
+/// there is nothing. Problems are those of readMesh() and distanceFieldOf().
+Result<DistanceField> solidsOf(const Style& style, int threads = 0);
 
 /// The head that the style asks for, to draw below its hair; no triangles for "none". A file that
 /// is missing or no head is a problem.

@@ -8,7 +8,6 @@
 #include "pipeline/sources.h"
 #include "pipeline/stopwatch.h"
 
-#include <kushi/head.h>
 #include <kushi/settle.h>
 
 #include <algorithm>
@@ -35,11 +34,15 @@ Vec3f innerEnd(const Part& part, Vec3d root) {
     return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
 }
 
+// Depth from which a strand counts as inside [m].
+constexpr double insideFrom = 1e-4;
+
 // What a block of consecutive follicles has become.
 struct Block {
     Strands strands;
     std::vector<Vec3f> innerEnds;
     double deepest = 0;
+    std::size_t inside = 0;  // strands that are
 };
 
 void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector<float>& out) {
@@ -52,8 +55,7 @@ void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector
 }
 
 Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& settled,
-              std::size_t begin, std::size_t end, bool measurePenetration) {
-    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
+              std::size_t begin, std::size_t end, const Obstacles* measured) {
     Block block;
     for (std::size_t i = begin; i < end; ++i) {
         const std::span<const Vec3f> nodes = settled.strand(i);
@@ -63,9 +65,10 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         appendHairColors(part.hair, key, nodes, block.strands.colors);
         appendDiameters(part.hair, nodes, block.strands.diameters);
         block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
-        if (measurePenetration) {
-            block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
-        }
+        if (measured == nullptr) continue;
+        const double deepest = deepestPoint(*measured, nodes);
+        block.deepest = std::max(block.deepest, deepest);
+        block.inside += deepest > insideFrom ? 1 : 0;
     }
     return block;
 }
@@ -118,8 +121,13 @@ Status checkMethod(const Style& style, Method method) {
 // The parts of a style, settled one after the other into one groom.
 class Settling {
 public:
-    Settling(const Style& style, const SettleOptions& options, Method method, std::size_t all)
-        : style_(style), options_(options), method_(method), all_(static_cast<double>(all)) {}
+    Settling(const Style& style, const SettleOptions& options, Method method,
+             const DistanceField& solids, std::size_t all)
+        : style_(style),
+          options_(options),
+          method_(method),
+          solids_(solids.empty() ? nullptr : &solids),
+          all_(static_cast<double>(all)) {}
 
     Status add(const Part& part, const PartSource& source) {
         Status added =
@@ -128,8 +136,12 @@ public:
         return added;
     }
 
-    SettledGroom take(double plantTime, double settleTime) {
+    SettledGroom take(double solidsTime, double plantTime, double settleTime) {
         SettleReport& report = groom_.report;
+        if (solids_ != nullptr) {
+            report.solidsSpacing = solids_->spacing;
+            report.stages.push_back({"solids", solidsTime});
+        }
         report.strands = groom_.strands.size();
         report.segments = groom_.strands.segmentCount();
         report.stages.push_back({"plant", plantTime});
@@ -145,25 +157,31 @@ private:
     Status addGrown(const Part& part, const Follicles& follicles) {
         const int segments = options_.segments.value_or(style_.solver.segments);
         const Result<SettledPart> settled =
-            settlePart(style_, part, follicles, method_, segments, options_.threads);
+            settlePart(style_, part, follicles, {method_, segments, solids_, options_.threads});
         if (!settled) return settled.problems();
+        groom_.report.pushedOut += settled->pushedOut;
+        groom_.report.stuck += settled->stuck;
+        // Solids are what is seen; the ellipsoid stands for them where there are none.
+        const Obstacles obstacles = {solids_ == nullptr ? &part.scalp.ellipsoid : nullptr, solids_};
+        const Obstacles* measured = options_.measurePenetration ? &obstacles : nullptr;
         if (method_ == Method::Equilibrium) count(settled->maxResidual, settled->unsettled);
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
         std::atomic<std::size_t> done{done_};
-        parallelFor(
-            follicles.size(), blockSize, options_.threads, [&](std::size_t begin, std::size_t end) {
-                blocks[begin / blockSize] =
-                    blockOf(part, follicles, *settled, begin, end, options_.measurePenetration);
-                show(static_cast<double>(done += end - begin));
-            });
+        parallelFor(follicles.size(), blockSize, options_.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                        blocks[begin / blockSize] =
+                            blockOf(part, follicles, *settled, begin, end, measured);
+                        show(static_cast<double>(done += end - begin));
+                    });
         reserve(groom_.strands, settled->nodes.size());
-        double deepest = groom_.report.maxPenetration.value_or(0);
+        PartPenetration penetration = {part.name, 0, 0};
         for (const Block& block : blocks) {
             append(groom_.strands, block.strands);
             append(groom_.innerEnds, block.innerEnds);
-            deepest = std::max(deepest, block.deepest);
+            penetration.deepest = std::max(penetration.deepest, block.deepest);
+            penetration.strands += block.inside;
         }
-        if (options_.measurePenetration) groom_.report.maxPenetration = deepest;
+        if (options_.measurePenetration) groom_.report.penetration.push_back(penetration);
         return std::monostate{};
     }
 
@@ -198,6 +216,7 @@ private:
     const Style& style_;
     const SettleOptions& options_;
     Method method_;
+    const DistanceField* solids_;
     double all_;
     std::size_t done_ = 0;
     double setTime_ = 0;
@@ -211,6 +230,9 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     const Method method = options.method.value_or(style.solver.method);
     if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
+    const Result<DistanceField> solids = solidsOf(style, options.threads);
+    if (!solids) return solids.problems();
+    const double solidsTime = stopwatch.lap();
     const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count);
     if (!sources) return sources.problems();
     const double plantTime = stopwatch.lap();
@@ -218,18 +240,12 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     std::size_t all = 0;
     for (const PartSource& source : *sources)
         all += source.size();
-    Settling settling(style, options, method, all);
+    Settling settling(style, options, method, *solids, all);
     for (std::size_t p = 0; p < style.parts.size(); ++p) {
         if (const Status added = settling.add(style.parts[p], (*sources)[p]); !added)
             return added.problems();
     }
-    return settling.take(plantTime, stopwatch.lap());
-}
-
-Result<Mesh> headOf(const Style& style) {
-    if (style.headMesh == "none") return Mesh{};
-    if (style.headMesh == "mannequin") return mannequin();
-    return readMesh(style.headMesh, style.headPlacement);
+    return settling.take(solidsTime, plantTime, stopwatch.lap());
 }
 
 Strands withInnerPieces(const SettledGroom& groom) {

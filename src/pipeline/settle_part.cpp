@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/settle_part.h"
 
+#include "contact/push_out.h"
+#include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
+#include "pipeline/layers.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/tie_up.h"
 
 #include <kushi/cantilevers.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -19,6 +23,12 @@ namespace {
 
 constexpr double mostTurn = 2.2;  // rad in one segment
 
+// Off solids, in the end: more than a distance field may be wrong [m].
+constexpr double margin = 5e-4;
+
+// Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
+constexpr double lyingPacking = 0.15;
+
 // How a strand came to rest.
 struct Outcome {
     float residual = 0;
@@ -27,17 +37,19 @@ struct Outcome {
 
 class PartInProgress {
 public:
-    PartInProgress(const Style& style, const Part& part, const Follicles& follicles, Method method,
-                   int segments, int threads)
+    PartInProgress(const Style& style, const Part& part, const Follicles& follicles,
+                   const PartSettling& how)
         : style_(style),
           part_(part),
           follicles_(follicles),
-          method_(method),
-          segments_(segments),
-          sizes_(uncut(part.hair, follicles, segments)),
-          outcomes_(follicles.size()),
-          threads_(threads) {
+          how_(how),
+          sizes_(uncut(part.hair, follicles, how.segments)),
+          outcomes_(follicles.size()) {
         settled_.stretches.resize(follicles.size());
+        if (style.contact.layers && how.method == Method::Equilibrium) {
+            layers_ = layersOf(part.scalp.ellipsoid, follicles, part.hair.diameter,
+                               style.contact.packing.value_or(lyingPacking));
+        }
     }
 
     Status settle(std::span<const std::uint32_t> which) {
@@ -74,7 +86,7 @@ public:
                 stretch.count = visible.size();
                 settled_.nodes[stretch.first + stretch.count - 1] = visible.back().as<float>();
             } else {
-                const double segment = grownLength(part_.hair, follicles_.keys[i]) / segments_;
+                const double segment = grownLength(part_.hair, follicles_.keys[i]) / how_.segments;
                 sizes_.lengths[i] = *left;
                 sizes_.segments[i] =
                     static_cast<std::size_t>(std::max(1.0, std::ceil(*left / segment - 1e-9)));
@@ -85,6 +97,7 @@ public:
     }
 
     SettledPart take() {
+        if (how_.solids != nullptr) pushAllOut();
         for (std::size_t i = 0; i < outcomes_.size(); ++i) {
             if (settled_.stretches[i].count == 0) continue;
             const Outcome& outcome = outcomes_[i];
@@ -100,7 +113,7 @@ private:
     Status settleAlike(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
         if (which.empty()) return std::monostate{};
         // The walk knows equal segments only.
-        const double grading = method_ == Method::Cantilever ? 1 : style_.solver.grading;
+        const double grading = how_.method == Method::Cantilever ? 1 : style_.solver.grading;
         Rods rods = grow(part_, follicles_, sizes_, which, grading);
         const std::vector<float> shares =
             rootShares(part_.forces, picked(follicles_.angles, which));
@@ -109,6 +122,10 @@ private:
         world.forces = part_.forces;
         world.rootShares = shares;
         world.obstacle = &part_.scalp.ellipsoid;
+        world.solids = how_.solids;
+        const std::vector<Layer> layers =
+            layers_.empty() ? layers_ : picked(layers_, which);
+        world.layers = layers;
         const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
         world.ties = ties;
 
@@ -117,8 +134,8 @@ private:
         for (std::size_t k = 0; k < which.size(); ++k)
             settled_.stretches[which[k]] = {base + rods.firstNode(k), rods.segments(k) + 1};
         const auto nodes = std::span(settled_.nodes).subspan(base);
-        if (method_ == Method::Equilibrium) return rest(which, rods, world, nodes);
-        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, threads_});
+        if (how_.method == Method::Equilibrium) return rest(which, rods, world, nodes);
+        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, how_.threads});
         return std::monostate{};
     }
 
@@ -127,13 +144,29 @@ private:
         if (const double turn = largestTurn(rods); turn > mostTurn) return tooFewSegments(turn);
         RestState state;
         RestOptions options;
-        options.threads = threads_;
+        options.threads = how_.threads;
         const RestReport report = settleRods(rods, world, state, nodes, options);
         for (std::size_t k = 0; k < which.size(); ++k)
             outcomes_[which[k]] = {report.residuals[k], true};
         for (const std::uint32_t k : report.unsettled)
             outcomes_[which[k]].settled = false;
         return std::monostate{};
+    }
+
+    void pushAllOut() {
+        std::atomic<std::size_t> pushed{0};
+        std::atomic<std::size_t> stuck{0};
+        parallelFor(follicles_.size(), 64, how_.threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto [first, count] = settled_.stretches[i];
+                const auto nodes = std::span(settled_.nodes).subspan(first, count);
+                if (count < 2 || clearance(*how_.solids, nodes, margin) >= margin) continue;
+                ++pushed;
+                stuck += pushOut(*how_.solids, margin, nodes) ? 0 : 1;
+            }
+        });
+        settled_.pushedOut = pushed;
+        settled_.stuck = stuck;
     }
 
     Problem tooFewSegments(double turn) const {
@@ -149,19 +182,18 @@ private:
     const Style& style_;
     const Part& part_;
     const Follicles& follicles_;
-    Method method_;
-    int segments_;  // of uncut strands
+    const PartSettling& how_;
+    std::vector<Layer> layers_;  // of each follicle; none: hair lies on the skin
     Sizes sizes_;
     SettledPart settled_;
     std::vector<Outcome> outcomes_;
-    int threads_;
 };
 
 }  // namespace
 
 Result<SettledPart> settlePart(const Style& style, const Part& part, const Follicles& follicles,
-                               Method method, int segments, int threads) {
-    PartInProgress progress(style, part, follicles, method, segments, threads);
+                               const PartSettling& how) {
+    PartInProgress progress(style, part, follicles, how);
     std::vector<std::uint32_t> which(follicles.size());
     std::iota(which.begin(), which.end(), 0U);
     if (const Status settled = progress.settle(which); !settled) return settled.problems();

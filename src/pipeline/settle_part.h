@@ -19,18 +19,29 @@ struct SettledPart {
     std::vector<Stretch> stretches;  ///< of each follicle's strand
     double maxResidual = 0;          ///< of equilibrium: moments over EI/L + w L^2/2
     std::size_t unsettled = 0;       ///< of equilibrium
+    std::size_t pushedOut = 0;       ///< turned out of solids at the end
+    std::size_t stuck = 0;           ///< and still too near to them
 
     std::span<const Vec3f> strand(std::size_t i) const {
         return std::span(nodes).subspan(stretches[i].first, stretches[i].count);
     }
 };
 
+/// How to settle a part.
+struct PartSettling {
+    Method method = Method::Equilibrium;
+    int segments = 24;                      ///< of strands that are not cut
+    const DistanceField* solids = nullptr;  ///< kept outside of; none if null
+    int threads = 0;
+};
+
 /// Settles a part's strands by either method, and cuts them in the order of the cuts: what a hide
 /// cut leaves is all that later ones see; a settle cut shortens the strands it meets, and they are
-/// settled anew.
+/// settled anew. In the end no place of a strand is in the solids, but for the way that its root
+/// needs to come out of them.
 ///
 /// Refuses, by equilibrium, segments in which the natural shape turns by more than 2.2 rad.
 Result<SettledPart> settlePart(const Style& style, const Part& part, const Follicles& follicles,
-                               Method method, int segments, int threads);
+                               const PartSettling& how);
 
 }  // namespace kushi

@@ -23,13 +23,19 @@ FieldBlocks blocksOf(const DistanceField& grid, const TriangleTree& tree, int th
         blocks.size[k] = (grid.size[k] + FieldBlocks::side - 1) / FieldBlocks::side;
     const auto [columns, rows, layers] = blocks.size;
     blocks.middles.resize(blocks.index(0, 0, layers));
-    // Along a row each probe helps the next.
+    blocks.nearest.resize(blocks.middles.size());
+    // Along a row each block helps the next.
     const auto probeRow = [&, columns = columns, rows = rows](std::size_t row) {
         const int y = static_cast<int>(row) % rows, z = static_cast<int>(row) / rows;
+        std::span<const Probe> last;
+        std::uint32_t guess = 0;
         for (int x = 0; x < columns; ++x) {
-            Probe* const probe = &blocks.middles[blocks.index(x, y, z)];
-            const std::span<const Probe> last(probe - (x > 0 ? 1 : 0), probe);
-            *probe = probeAt(tree, middleOf(grid, x, y, z), last);
+            const std::size_t i = blocks.index(x, y, z);
+            const Vec3f middle = middleOf(grid, x, y, z);
+            blocks.nearest[i] = nearestIn(tree, middle, guess);
+            blocks.middles[i] = probeOf(tree, middle, blocks.nearest[i].distance, last);
+            guess = blocks.nearest[i].triangle;
+            last = {&blocks.middles[i], 1};
         }
     };
     const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(layers);
@@ -46,7 +52,7 @@ std::vector<Vec3f> pointsAround(const FieldBlocks& blocks, int x, int y, int z) 
     for (int k = std::max(z - 1, 0); k <= std::min(z + 1, layers - 1); ++k) {
         for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows - 1); ++j) {
             for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns - 1); ++i)
-                points.push_back(blocks.middles[blocks.index(i, j, k)].nearest.point);
+                points.push_back(blocks.nearest[blocks.index(i, j, k)].point);
         }
     }
     return points;

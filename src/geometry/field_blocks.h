@@ -10,13 +10,14 @@
 
 namespace kushi {
 
-/// The samples of a field in blocks of 4 x 4 x 4 (fewer at the far ends), each with its middle
-/// probed.
+/// The samples of a field in blocks of 4 x 4 x 4 (fewer at the far ends), each with what is
+/// nearest to its middle.
 struct FieldBlocks {
     static constexpr int side = 4;
 
     std::array<int, 3> size{};
     std::vector<Probe> middles;
+    std::vector<Nearest> nearest;
 
     std::size_t index(int x, int y, int z) const {
         const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +

@@ -7,15 +7,15 @@
 
 namespace kushi {
 
-/// A place, what of a closed surface is nearest to it, and whether it is inside.
+/// A place, how far it is from a closed surface, and whether it is inside.
 struct Probe {
     Vec3f place;
-    Nearest nearest;
+    float distance = 0;  ///< never below 0
     bool inside = false;
 };
 
-/// Probes a place. `nearby` are probes of other places, the nearest last: they make it quicker,
-/// most of all where no surface fits in between, so that the side is theirs.
-Probe probeAt(const TriangleTree& tree, Vec3f place, std::span<const Probe> nearby);
+/// Finds the side of a place, given its distance. Where no surface fits between it and one of the
+/// probes nearby, it is theirs; else the winding number tells.
+Probe probeOf(const TriangleTree& tree, Vec3f place, float distance, std::span<const Probe> nearby);
 
 }  // namespace kushi

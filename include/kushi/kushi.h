@@ -6,6 +6,7 @@
 #include <kushi/cantilever.h>
 #include <kushi/cantilevers.h>
 #include <kushi/color.h>
+#include <kushi/distance_field.h>
 #include <kushi/draw.h>
 #include <kushi/ellipsoid.h>
 #include <kushi/follicles.h>

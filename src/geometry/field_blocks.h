@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/probe.h"
+
+#include <kushi/distance_field.h>
+
+#include <array>
+#include <vector>
+
+namespace kushi {
+
+/// The samples of a field in blocks of 4 x 4 x 4 (fewer at the far ends), each with what is
+/// nearest to its middle.
+struct FieldBlocks {
+    static constexpr int side = 4;
+
+    std::array<int, 3> size{};
+    std::vector<Probe> middles;
+    std::vector<Nearest> nearest;
+
+    std::size_t index(int x, int y, int z) const {
+        const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +
+                         static_cast<std::size_t>(y);
+        return row * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x);
+    }
+};
+
+FieldBlocks blocksOf(const DistanceField& grid, const TriangleTree& tree, int threads);
+
+/// The points that are nearest to the middles of a block and of those around it.
+std::vector<Vec3f> pointsAround(const FieldBlocks& blocks, int x, int y, int z);
+
+}  // namespace kushi

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/field_solid.h"
+
+#include "core/parallel.h"
+#include "geometry/closed_surface.h"
+#include "geometry/field_blocks.h"
+#include "geometry/four_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kushi {
+namespace {
+
+constexpr int side = FieldBlocks::side;
+
+/// How far from a solid distances are exact, at least [m].
+constexpr float exactReach = 0.02F;
+/// And at least so many spacings: from there on the points nearest to the blocks around are as good
+/// as exact, within 0.3 of a spacing.
+constexpr float exactSpacings = 8;
+
+float distanceTo(const std::vector<Vec3f>& points, Vec3f place) {
+    float least = std::numeric_limits<float>::max();
+    for (const Vec3f point : points)
+        least = std::min(least, dot(place - point, place - point));
+    return std::sqrt(least);
+}
+
+/// `i`, or as far from the other end.
+int turned(int i, bool back) {
+    return back ? side - 1 - i : i;
+}
+
+class SolidSampler {
+public:
+    SolidSampler(DistanceField& field, const TriangleTree& tree, const FieldBlocks& blocks,
+                 float offset, std::uint8_t solid)
+        : field_(field),
+          tree_(tree),
+          blocks_(blocks),
+          offset_(offset),
+          solid_(solid),
+          reach_(std::max(exactReach, exactSpacings * field.spacing) + std::abs(offset)) {}
+
+    void sampleBlock(int blockX, int blockY, int blockZ) {
+        const std::size_t block = blocks_.index(blockX, blockY, blockZ);
+        const Probe& middle = blocks_.middles[block];
+        const float radius = 0.5F * std::sqrt(3.0F) * (side - 1) * field_.spacing;
+        if (middle.distance - radius > reach_) {
+            sampleFar(blockX, blockY, blockZ);
+            return;
+        }
+        std::uint32_t guess = blocks_.nearest[block].triangle;
+        // Of the sample before, too: samples follow each other without a jump.
+        std::array<Probe, 2> nearby = {middle, middle};
+        for (int k = 0; k < side; ++k) {
+            for (int row = 0; row < side; ++row) {
+                const int x = side * blockX, y = side * blockY + turned(row, k % 2 == 1);
+                const FourPlaces places = fourPlaces(x, y, side * blockZ + k);
+                const Four distances = fourDistances(tree_, places, guess);
+                for (int n = 0; n < side; ++n) {
+                    const int i = turned(n, row % 2 == 1);
+                    const Vec3f place = {places.x[i], places.y[i], places.z[i]};
+                    nearby[1] = probeOf(tree_, place, distances[i], nearby);
+                    store(x + i, y, side * blockZ + k, distances[i], nearby[1].inside);
+                }
+            }
+        }
+    }
+
+private:
+    FourPlaces fourPlaces(int x, int y, int z) const {
+        const Vec3f first = placeOf(x, y, z);
+        const Four steps = {0, 1, 2, 3};
+        return {first.x + field_.spacing * steps, Four{} + first.y, Four{} + first.z};
+    }
+    Vec3f placeOf(int x, int y, int z) const {
+        return field_.origin + field_.spacing * Vec3f{static_cast<float>(x), static_cast<float>(y),
+                                                      static_cast<float>(z)};
+    }
+
+    void sampleFar(int blockX, int blockY, int blockZ) {
+        const bool inside = blocks_.middles[blocks_.index(blockX, blockY, blockZ)].inside;
+        const std::vector<Vec3f> around = pointsAround(blocks_, blockX, blockY, blockZ);
+        for (int z = side * blockZ; z < side * (blockZ + 1); ++z) {
+            for (int y = side * blockY; y < side * (blockY + 1); ++y) {
+                for (int x = side * blockX; x < side * (blockX + 1); ++x)
+                    store(x, y, z, distanceTo(around, placeOf(x, y, z)), inside);
+            }
+        }
+    }
+
+    /// Blocks may stick out of the field.
+    void store(int x, int y, int z, float distance, bool inside) {
+        if (x >= field_.size[0] || y >= field_.size[1] || z >= field_.size[2]) return;
+        const std::size_t sample = field_.index(x, y, z);
+        constexpr float most = std::numeric_limits<std::int16_t>::max();
+        const float units = ((inside ? -distance : distance) - offset_) / field_.unit();
+        const auto rounded = static_cast<std::int16_t>(std::lround(std::clamp(units, -most, most)));
+        if (rounded >= field_.units[sample]) return;
+        field_.units[sample] = rounded;
+        if (!field_.nearest.empty()) field_.nearest[sample] = solid_;
+    }
+
+    DistanceField& field_;
+    const TriangleTree& tree_;
+    const FieldBlocks& blocks_;
+    float offset_;
+    std::uint8_t solid_;
+    float reach_;
+};
+
+}  // namespace
+
+void addSolid(DistanceField& field, const Solid& solid, std::uint8_t index, int threads) {
+    const TriangleTree tree = treeOf(closedSurface(solid.mesh));
+    if (tree.nodes.empty()) return;
+    const FieldBlocks blocks = blocksOf(field, tree, threads);
+    SolidSampler sampler(field, tree, blocks, static_cast<float>(solid.offset), index);
+    parallelFor(blocks.middles.size(), 16, threads, [&](std::size_t begin, std::size_t end) {
+        const auto columns = static_cast<std::size_t>(blocks.size[0]);
+        const auto rows = static_cast<std::size_t>(blocks.size[1]);
+        for (std::size_t i = begin; i < end; ++i) {
+            sampler.sampleBlock(static_cast<int>(i % columns), static_cast<int>(i / columns % rows),
+                                static_cast<int>(i / columns / rows));
+        }
+    });
+}
+
+}  // namespace kushi

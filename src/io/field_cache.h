@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <kushi/distance_field.h>
+
+#include <span>
+#include <string>
+
+namespace kushi {
+
+/// A name for what distanceFieldOf() makes of these: 32 hexadecimal digits that follow from places
+/// and triangles, offsets and spacing, and from how this version of Kushi computes fields.
+std::string fieldName(std::span<const Solid> solids, const DistanceFieldOptions& options);
+
+/// distanceFieldOf(), from `folder` if it was put there before; else computed and put there. The
+/// folder is made if there is none. One that cannot be written is no problem, nor is a damaged file
+/// in it: the field is computed.
+Result<DistanceField> cachedField(std::span<const Solid> solids,
+                                  const DistanceFieldOptions& options, const std::string& folder);
+
+}  // namespace kushi

@@ -4,11 +4,13 @@
 #include "core/random.h"
 #include "messages.h"
 #include "pipeline/grow.h"
+#include "pipeline/layers.h"
 #include "pipeline/root_shares.h"
 #include "rod/strand_batch.h"
 
 #include <kushi/cantilevers.h>
 #include <kushi/head.h>
+#include <kushi/settle.h>
 
 #include <algorithm>
 #include <chrono>
@@ -84,9 +86,21 @@ public:
         if (!follicles) return {};
         walk(grown(straight, *follicles, 20), straight.scalp.ellipsoid);
         const Rods rods = grown(straight, *follicles, 25);
-        rest("equilibrium", rods, nullptr);
-        rest("contact", rods, &straight.scalp.ellipsoid);
-        rest("curly", grown(headOfHair(true), *follicles, 25), nullptr);
+        RodWorld world;
+        rest("equilibrium", rods, world);
+        world.obstacle = &straight.scalp.ellipsoid;
+        rest("contact", rods, world);
+        const Rods curly = grown(headOfHair(true), *follicles, 25);
+        rest("curly", curly, {});
+        const Result<DistanceField> mannequin = solidsOf(Style{}, threads_);
+        if (!mannequin) return timings_;
+        world.solids = &*mannequin;
+        rest("solids", rods, world);
+        rest("curly-solids", curly, world);
+        const std::vector<Layer> layers =
+            layersOf(straight.scalp.ellipsoid, *follicles, straight.hair.diameter, 0.15);
+        world.layers = layers;
+        rest("layers", rods, world);
         reference(rods);
         copy(rods);
         return timings_;
@@ -109,6 +123,8 @@ public:
                       [](const Part& part) { return part.groom || !part.ties.empty(); });
         if (style.parts.empty())
             return Problem{"only hair that grows and is not tied can be timed; the style has none"};
+        const Result<DistanceField> solids = solidsOf(style, threads_);
+        if (!solids) return solids.problems();
         std::vector<Scene> scenes;
         std::size_t strands = 0;
         for (const Part& part : style.parts) {
@@ -130,7 +146,8 @@ public:
                         number = factor * shipped;
                         std::size_t unsettled = 0;
                         for (Scene& scene : scenes)
-                            unsettled += settleScene(scene, style.gravity, warm);
+                            unsettled += settleScene(scene, style.gravity,
+                                                     solids->empty() ? nullptr : &*solids, warm);
                         return unsettled;
                     });
         return timings_;
@@ -146,12 +163,14 @@ private:
         std::vector<Vec3f> nodes;
     };
 
-    std::size_t settleScene(Scene& scene, Vec3d gravity, bool warm) const {
+    std::size_t settleScene(Scene& scene, Vec3d gravity, const DistanceField* solids,
+                            bool warm) const {
         RodWorld world;
         world.gravity = gravity;
         world.forces = scene.part->forces;
         world.rootShares = scene.shares;
         world.obstacle = &scene.part->scalp.ellipsoid;
+        world.solids = solids;
         return settleRods(scene.rods, world, scene.state, scene.nodes, {1e-5, warm, threads_})
             .unsettled.size();
     }
@@ -177,11 +196,13 @@ private:
         const Result<Follicles> follicles = plant(straight.scalp, 1992);
         if (!follicles) return;
         const Rods rods = grown(straight, *follicles, segments);
-        rest("equilibrium", rods, nullptr);
-        rest("contact", rods, &straight.scalp.ellipsoid);
+        RodWorld world;
+        rest("equilibrium", rods, world);
+        world.obstacle = &straight.scalp.ellipsoid;
+        rest("contact", rods, world);
         // Fewer would wind by too much each.
         if (segments >= 16)
-            rest("curly", grown(headOfHair(true, strands), *follicles, segments), nullptr);
+            rest("curly", grown(headOfHair(true, strands), *follicles, segments), {});
     }
 
     static Rods grown(const Part& part, const Follicles& follicles, int segments,
@@ -207,9 +228,7 @@ private:
     }
 
     // True rest under loads that are in no common plane.
-    void rest(const std::string& name, const Rods& rods, const Ellipsoid* obstacle) {
-        RodWorld world;
-        world.obstacle = obstacle;
+    void rest(const std::string& name, const Rods& rods, RodWorld world) {
         RestState state;
         std::vector<Vec3f> nodes(rods.nodeCount());
         coldAndWarm(name, rods.size(), rods.segments(0), [&](double load, bool warm) {

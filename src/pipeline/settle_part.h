@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/follicles.h>
 
 #include <cstddef>

@@ -26,26 +26,29 @@ struct Left {
     std::vector<float> shares;
 };
 
-// Settles what only hangs and touches nothing; the others are added to `left`.
+// Settles what only hangs and touches nothing. What would hang in something is laid on it and
+// added to `laid`, the others to `left`.
 void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> nodes,
-          std::span<const std::uint32_t> some, double tolerance, Places& left) {
+          std::span<const std::uint32_t> some, double tolerance, Places& laid, Places& left) {
     block.take(some);
     alignas(64) float settled[Lanes::count] = {};
+    alignas(64) float hung[Lanes::count] = {};
     const LaneMask able = block.hanging();
     if (any(able)) {
         Progress<Lanes> at{};
         Hanging<Lanes> hanging(block.problem(), nodes);
         hanging.run(tolerance, 8, at);
         hanging.place(block.nodes());
-        at.settled = at.settled & able & block.clear();
-        if (any(at.settled)) {
-            block.store(at.settled);
-            block.write(at, at.settled);
-        }
+        const LaneMask hangs = at.settled & able;
+        at.settled = hangs & block.clear();
+        if (any(at.settled)) block.write(at, at.settled);
+        if (any(hangs & !at.settled)) block.lay(hangs & !at.settled);
+        if (any(hangs)) block.store(hangs);
         storeMask(at.settled, settled);
+        storeMask(hangs, hung);
     }
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
-        if (settled[lane] == 0) left.push_back(some[lane]);
+        if (settled[lane] == 0) (hung[lane] == 0 ? left : laid).push_back(some[lane]);
     }
 }
 
@@ -91,6 +94,7 @@ struct Pass {
     int steps;
     bool hasty;
     double worse, curvature;
+    bool sliding = false;  // for hair that slides off what it lies on
 };
 
 // A few steps for all; those that need more are put together and go on. What is quick for most is
@@ -100,6 +104,8 @@ constexpr Pass passes[] = {{6, true, 100, 0.02},
                            {40, false, 100, 0.02},
                            {60, false, 10, 0.02},
                            {60, false, 100, 1}};
+// Of hair that has been laid on what it touches, before its loads grow anew.
+constexpr Pass laidPasses[] = {{8, true, 100, 0.02, true}, {16, true, 100, 0.02, true}};
 constexpr Pass warmPass = {4, true, 100, 0.02};
 
 template <class Element>
@@ -119,7 +125,12 @@ public:
         } else if (batch_.warm) {
             settleWarm();
         } else if (!given) {
-            hangAll();
+            const Places laid = hangAll();
+            const Places others = std::move(left_.places);
+            left_ = {laid, std::vector<float>(laid.size(), 1.0F)};
+            for (const Pass& one : laidPasses)
+                pass(one, Start::Further);
+            add(others);
         }
         for (const Pass& one : passes) {
             pass(one, start);
@@ -134,7 +145,7 @@ private:
     void settleWarm() {
         const Places renewed = take(History::Renewed);
         const Places others = take(History::Other);
-        hangAll();
+        add(hangAll());
         add(others);
         pass(warmPass, Start::Warm);
         // On the head it takes some more to find which nodes touch.
@@ -167,8 +178,9 @@ private:
         std::ranges::sort(left_.places);
     }
 
-    // Settles those of `left_` that only hang.
-    void hangAll() {
+    // Settles those of `left_` that only hang. Returns those that lie on what they would hang in.
+    Places hangAll() {
+        Places laid;
         if constexpr (Element::freedoms == 2) {
             const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
             const Places places = std::move(left_.places);
@@ -176,11 +188,13 @@ private:
             for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
                 const std::size_t size = std::min(Lanes::count, places.size() - from);
                 hang(block_, room.items(), std::span(places).subspan(from, size), batch_.tolerance,
-                     left_.places);
+                     laid, left_.places);
             }
             remember(places, History::Hung);
+            remember(laid, History::Other);
             remember(left_.places, History::Other);
         }
+        return laid;
     }
 
     void pass(const Pass& one, Start start) {
@@ -190,9 +204,9 @@ private:
         if (one.hasty) {
             options.reach = 2;
             options.growth = 2.5;
-            options.shift = 1e-2;
+            options.shift = one.sliding ? 1e-1 : 1e-2;
             options.raise = 8;
-            options.lower = 0.1;
+            options.lower = one.sliding ? 0.25 : 0.1;
         }
         options.worse = one.worse;
         options.curvature = one.curvature;

@@ -290,6 +290,36 @@ public:
         return nearest(true) >= problem_.support.skin;
     }
 
+    // Lays some strands on what they reach into: from the root outwards each segment turns as far
+    // as its end needs, and what is beyond goes with it.
+    HWY_INLINE void lay(MaskOf<V> some) {
+        const Support<V>& support = problem_.support;
+        V3<V> before = nodes_[0].position;  // where the node before was
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            const V3<V> chord = nodes_[j].position - before;
+            before = nodes_[j].position;
+            const V length = elements_[j - 1].length;
+            V3<V> at = nodes_[j - 1].position + chord;
+            const V top = support.skin + contacts_[j].layer;
+            for (int turn = 0; turn < 3; ++turn) {
+                Nearness<V> near = support.nearness(at, top);
+                const V lack = select(some, most(V(0.6F) * top - near.distance, V(0)), V(0));
+                if (!any(lack > V(0))) break;
+                const V3<V> way = at + lack * near.normal - nodes_[j - 1].position;
+                at = nodes_[j - 1].position +
+                     (length * inverseRoot(most(dot(way, way), V(1e-12F)))) * way;
+            }
+            nodes_[j].position = at;
+        }
+        if constexpr (Element::freedoms == 2) {
+            for (std::size_t j = 1; j <= segments_; ++j) {
+                V3<V> way = nodes_[j].position - nodes_[j - 1].position;
+                if (j < segments_) way = way + nodes_[j + 1].position - nodes_[j].position;
+                nodes_[j].state = select(some, unit(way), nodes_[j].state);
+            }
+        }
+    }
+
     // Strands in which a node lies inside the collider; their supports begin farther out from now
     // on. (Stiffer ones would keep nodes out as well, but many a curl would never come to rest.)
     HWY_INLINE MaskOf<V> pushedOut() {

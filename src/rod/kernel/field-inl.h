@@ -70,21 +70,17 @@ public:
 
     // Where it is more than `near`, it may be less than that by up to two spacings.
     HWY_INLINE Lanes distance(const V3<Lanes>& at, Lanes near) const {
-        const V3<Lanes> u = onGrid(at);
-        const Lanes far = rough(u);
-        const LaneMask close = far <= near;
-        if (!any(close)) return far;
-        return select(close, linear(u), far);
+        return distanceOf(onGrid(at), near);
     }
 
     // The distance likewise; where it is less than `near`, all of what is to be known. Whether that
     // is so anywhere.
     HWY_INLINE bool look(const V3<Lanes>& at, Lanes near, Nearness<Lanes>& out) const {
         const V3<Lanes> u = onGrid(at);
-        const Lanes far = rough(u);
-        const LaneMask close = far <= near;
-        out.distance = far;
+        out.distance = distanceOf(u, near);
+        const LaneMask close = out.distance <= near + Lanes(0.2F * spacing_);
         if (!any(close)) return false;
+        const Lanes far = out.distance;
         smooth(u, out);
         out.distance = select(close, out.distance, far);
         return any(out.distance < near);
@@ -104,6 +100,13 @@ private:
 
     HWY_INLINE V3<Lanes> onGrid(const V3<Lanes>& at) const {
         return Lanes(1 / spacing_) * (at - origin_);
+    }
+
+    HWY_INLINE Lanes distanceOf(const V3<Lanes>& u, Lanes near) const {
+        const Lanes far = rough(u);
+        const LaneMask close = far <= near;
+        if (!any(close)) return far;
+        return select(close, linear(u), far);
     }
 
     HWY_INLINE static Lanes floored(Lanes x) { return Lanes(hn::Floor(x.v)); }

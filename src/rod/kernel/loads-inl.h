@@ -119,6 +119,21 @@ struct Support {
 
     HWY_INLINE bool any() const { return ellipsoid != nullptr || !field.empty(); }
 
+    // Of the nearest surface, where that is nearer than `near`.
+    HWY_INLINE Nearness<V> nearness(const V3<V>& at, V near) const {
+        Nearness<V> nearest;
+        nearest.distance = V(1);
+        nearest.normal = {V(0), V(0), V(0)};
+        if (ellipsoid != nullptr) nearest = ellipsoid->nearness(at);
+        if (field.empty()) return nearest;
+        Nearness<V> other;
+        if (!field.look(at, near, other)) return nearest;
+        const auto nearer = other.distance < nearest.distance;
+        nearest.distance = select(nearer, other.distance, nearest.distance);
+        nearest.normal = select(nearer, other.normal, nearest.normal);
+        return nearest;
+    }
+
     // To the nearest surface; farther off than `near` it may be a little too small.
     HWY_INLINE V distance(const V3<V>& at, V near) const {
         V nearest(1);

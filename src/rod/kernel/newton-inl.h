@@ -87,8 +87,9 @@ struct NewtonOptions {
     double readiness = 0.1;   // residual below which the loads may grow
     double worse = 100;       // a step that makes the residual so many times larger is taken back
     double recovery = 1.5;    // how fast shortened steps grow again
-    // Share of a support's greatest push up to which the curvature of the surface counts. Little is
-    // quicker while many nodes find their places; all of it is needed where they nearly slide.
+    // Share of a support's greatest push up to which the curvature of the surface counts while the
+    // residual is large. Little is quicker while many nodes find their places; all of it is needed
+    // where they nearly slide.
     double curvature = 0.02;
     // The shift where a rest is not stable, over EI / d: at first, and its change from step to
     // step.
@@ -113,7 +114,6 @@ public:
     // the loads begin; they grow where the strand follows.
     HWY_INLINE void run(const NewtonOptions& options, Progress<V>& at) {
         const V base = problem_.elements[0].bend;
-        curvature_ = number<V>(options.curvature);
         at.settled = V(1) < V(0);
         at.steps = V(0);
         V last(1e30F);     // residual before the last step
@@ -122,6 +122,8 @@ public:
         MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
         V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
         for (int step = 0;; ++step) {
+            curvature_ = select(at.residual < V(1e-2F), V(1), number<V>(options.curvature));
+            if (step == 0) curvature_ = number<V>(options.curvature);
             load(at.share);
             const V before = at.residual;
             if (any(closing) && !any(!(closing | at.settled))) {

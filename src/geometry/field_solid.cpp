@@ -5,6 +5,7 @@
 #include "geometry/closed_surface.h"
 #include "geometry/field_blocks.h"
 #include "geometry/four_distances.h"
+#include "geometry/skin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +36,10 @@ int turned(int i, bool back) {
 
 class SolidSampler {
 public:
-    SolidSampler(DistanceField& field, const TriangleTree& tree, const FieldBlocks& blocks,
+    SolidSampler(DistanceField& field, const SolidTrees& trees, const FieldBlocks& blocks,
                  float offset, std::uint8_t solid)
         : field_(field),
-          tree_(tree),
+          trees_(trees),
           blocks_(blocks),
           offset_(offset),
           solid_(solid),
@@ -52,19 +53,23 @@ public:
             sampleFar(blockX, blockY, blockZ);
             return;
         }
-        std::uint32_t guess = blocks_.nearest[block].triangle;
+        std::uint32_t guess = 0, skinGuess = 0;
         // Of the sample before, too: samples follow each other without a jump.
         std::array<Probe, 2> nearby = {middle, middle};
         for (int k = 0; k < side; ++k) {
             for (int row = 0; row < side; ++row) {
                 const int x = side * blockX, y = side * blockY + turned(row, k % 2 == 1);
                 const FourPlaces places = fourPlaces(x, y, side * blockZ + k);
-                const Four distances = fourDistances(tree_, places, guess);
+                const Four distances = fourDistances(trees_.surface, places, guess);
+                const Four depths = trees_.skin.nodes.empty()
+                                        ? distances
+                                        : fourDistances(trees_.skin, places, skinGuess);
                 for (int n = 0; n < side; ++n) {
                     const int i = turned(n, row % 2 == 1);
                     const Vec3f place = {places.x[i], places.y[i], places.z[i]};
-                    nearby[1] = probeOf(tree_, place, distances[i], nearby);
-                    store(x + i, y, side * blockZ + k, distances[i], nearby[1].inside);
+                    nearby[1] = probeOf(trees_.surface, place, distances[i], nearby);
+                    const bool inside = nearby[1].inside;
+                    store(x + i, y, side * blockZ + k, inside ? depths[i] : distances[i], inside);
                 }
             }
         }
@@ -105,7 +110,7 @@ private:
     }
 
     DistanceField& field_;
-    const TriangleTree& tree_;
+    const SolidTrees& trees_;
     const FieldBlocks& blocks_;
     float offset_;
     std::uint8_t solid_;
@@ -115,10 +120,12 @@ private:
 }  // namespace
 
 void addSolid(DistanceField& field, const Solid& solid, std::uint8_t index, int threads) {
-    const TriangleTree tree = treeOf(closedSurface(solid.mesh));
-    if (tree.nodes.empty()) return;
-    const FieldBlocks blocks = blocksOf(field, tree, threads);
-    SolidSampler sampler(field, tree, blocks, static_cast<float>(solid.offset), index);
+    SolidTrees trees = {treeOf(closedSurface(solid.mesh)), {}};
+    if (trees.surface.nodes.empty()) return;
+    std::vector<Triangle> skin = skinOf(trees.surface, threads);
+    if (skin.size() < trees.surface.triangles.size()) trees.skin = treeOf(std::move(skin));
+    const FieldBlocks blocks = blocksOf(field, trees, threads);
+    SolidSampler sampler(field, trees, blocks, static_cast<float>(solid.offset), index);
     parallelFor(blocks.middles.size(), 16, threads, [&](std::size_t begin, std::size_t end) {
         const auto columns = static_cast<std::size_t>(blocks.size[0]);
         const auto rows = static_cast<std::size_t>(blocks.size[1]);

@@ -16,17 +16,24 @@ namespace {
 
 constexpr int side = FieldBlocks::side;
 
-/// How far from a solid distances are exact, at least [m].
-constexpr float exactReach = 0.02F;
+/// How far from a solid distances are exact, at least [m]: 2 cm, and something for rounding.
+constexpr float exactReach = 0.0201F;
 /// And at least so many spacings: from there on the points nearest to the blocks around are as good
 /// as exact, within 0.3 of a spacing.
 constexpr float exactSpacings = 8;
 
-float distanceTo(const std::vector<Vec3f>& points, Vec3f place) {
-    float least = std::numeric_limits<float>::max();
-    for (const Vec3f point : points)
-        least = std::min(least, dot(place - point, place - point));
-    return std::sqrt(least);
+Four distancesTo(const std::vector<Vec3f>& points, const FourPlaces& places) {
+    Four least = Four{} + std::numeric_limits<float>::max();
+    for (const Vec3f point : points) {
+        const Four x = places.x - point.x, y = places.y - point.y, z = places.z - point.z;
+        const Four square = x * x + y * y + z * z;
+        least = square < least ? square : least;
+    }
+    return roots(least);
+}
+
+float leastOf(Four a) {
+    return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
 }
 
 /// `i`, or as far from the other end.
@@ -48,53 +55,42 @@ public:
     void sampleBlock(int blockX, int blockY, int blockZ) {
         const std::size_t block = blocks_.index(blockX, blockY, blockZ);
         const Probe& middle = blocks_.middles[block];
+        const std::vector<Vec3f> around = pointsAround(blocks_, blockX, blockY, blockZ);
         const float radius = 0.5F * std::sqrt(3.0F) * (side - 1) * field_.spacing;
-        if (middle.distance - radius > reach_) {
-            sampleFar(blockX, blockY, blockZ);
-            return;
-        }
-        std::uint32_t guess = 0, skinGuess = 0;
-        // Of the sample before, too: samples follow each other without a jump.
+        const float blockAtLeast = middle.distance - radius;
+        float atLeast = blockAtLeast;
+        // The sample before, too: samples follow each other without a jump.
         std::array<Probe, 2> nearby = {middle, middle};
-        for (int k = 0; k < side; ++k) {
-            for (int row = 0; row < side; ++row) {
-                const int x = side * blockX, y = side * blockY + turned(row, k % 2 == 1);
-                const FourPlaces places = fourPlaces(x, y, side * blockZ + k);
-                const Four distances = fourDistances(trees_.surface, places, guess);
-                const Four depths = trees_.skin.nodes.empty()
-                                        ? distances
-                                        : fourDistances(trees_.skin, places, skinGuess);
-                for (int n = 0; n < side; ++n) {
-                    const int i = turned(n, row % 2 == 1);
-                    const Vec3f place = {places.x[i], places.y[i], places.z[i]};
-                    nearby[1] = probeOf(trees_.surface, place, distances[i], nearby);
-                    const bool inside = nearby[1].inside;
-                    store(x + i, y, side * blockZ + k, inside ? depths[i] : distances[i], inside);
-                }
+        std::uint32_t guess = blocks_.nearest[block].triangle, skinGuess = 0;
+        const int x = side * blockX;
+        for (int row = 0; row < side * side; ++row) {
+            const int z = row / side;
+            const int y = turned(row % side, z % 2 == 1);
+            const FourPlaces places = fourPlaces(x, side * blockY + y, side * blockZ + z);
+            const bool far = atLeast > reach_;
+            const Four distances =
+                far ? distancesTo(around, places) : fourDistances(trees_.surface, places, guess);
+            const Four depths = far || trees_.skin.nodes.empty()
+                                    ? distances
+                                    : fourDistances(trees_.skin, places, skinGuess);
+            atLeast = std::max(blockAtLeast, (far ? atLeast : leastOf(distances)) - field_.spacing);
+            for (int n = 0; n < side; ++n) {
+                const int i = turned(n, row % 2 == 1);
+                const Vec3f place = {places.x[i], places.y[i], places.z[i]};
+                nearby[1] = probeOf(trees_.surface, place, distances[i], nearby);
+                const bool inside = nearby[1].inside;
+                store(x + i, side * blockY + y, side * blockZ + z,
+                      inside ? depths[i] : distances[i], inside);
             }
         }
     }
 
 private:
     FourPlaces fourPlaces(int x, int y, int z) const {
-        const Vec3f first = placeOf(x, y, z);
         const Four steps = {0, 1, 2, 3};
-        return {first.x + field_.spacing * steps, Four{} + first.y, Four{} + first.z};
-    }
-    Vec3f placeOf(int x, int y, int z) const {
-        return field_.origin + field_.spacing * Vec3f{static_cast<float>(x), static_cast<float>(y),
-                                                      static_cast<float>(z)};
-    }
-
-    void sampleFar(int blockX, int blockY, int blockZ) {
-        const bool inside = blocks_.middles[blocks_.index(blockX, blockY, blockZ)].inside;
-        const std::vector<Vec3f> around = pointsAround(blocks_, blockX, blockY, blockZ);
-        for (int z = side * blockZ; z < side * (blockZ + 1); ++z) {
-            for (int y = side * blockY; y < side * (blockY + 1); ++y) {
-                for (int x = side * blockX; x < side * (blockX + 1); ++x)
-                    store(x, y, z, distanceTo(around, placeOf(x, y, z)), inside);
-            }
-        }
+        return {field_.origin.x + field_.spacing * (steps + static_cast<float>(x)),
+                Four{} + (field_.origin.y + field_.spacing * static_cast<float>(y)),
+                Four{} + (field_.origin.z + field_.spacing * static_cast<float>(z))};
     }
 
     /// Blocks may stick out of the field.

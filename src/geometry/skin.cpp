@@ -3,6 +3,8 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace kushi {
@@ -18,11 +20,11 @@ bool isHidden(const TriangleTree& surface, const Triangle& triangle) {
     const Vec3d off = size > 0 ? (0.001 / size) * across : Vec3d{};
     const Vec3d middle = (a + b + c) / 3.0;
     const auto inside = [&](Vec3d place) { return windingNumber(surface, place) > 0.5; };
-    for (const Vec3d at : {middle, a, b, c}) {
+    const std::array<Vec3d, 4> places = {middle, a, b, c};
+    return std::ranges::all_of(places, [&](Vec3d at) {
         const Vec3d place = middle + 0.9 * (at - middle);
-        if (!inside(place + off) || !inside(place - off)) return false;
-    }
-    return true;
+        return inside(place + off) && inside(place - off);
+    });
 }
 
 }  // namespace

@@ -38,27 +38,30 @@ struct DistanceField {
 };
 
 struct DistanceFieldOptions {
-    std::optional<double> spacing;  ///< m; left out: chosen from the solids' extent, see below
-    int threads = 0;                ///< 0: as many as the machine has
+    std::optional<double> spacing = {};  ///< m; left out: chosen from the solids' extent, see below
+    int threads = 0;                     ///< 0: as many as the machine has
 };
 
 /// The distance field of solids. A mesh may be open, not manifold, cut itself and be wound either
-/// way, piece by piece: a place is inside where the surface winds around it by more than half
-/// (generalized winding number; Jacobson, Kavan and Sorkine 2013), with each connected piece turned
-/// outwards first. An opening is closed by the surface on which it winds by a half.
+/// way, piece by piece. Vertices at one place are one. Each piece (triangles that share edges with
+/// one other triangle) is made to face one way, each of its openings closed by a fan around the
+/// middle of its border, and the piece turned outwards. Then a place is inside where the surface
+/// winds around it (winding number; Jacobson, Kavan and Sorkine 2013), and how deep it is there is
+/// the distance to those triangles that have an outside.
 ///
 /// The grid holds the solids with their offsets and 2 cm around them. Its spacing is 2.5 mm where
 /// that takes 24 million samples at most, else what takes so many. Distances are those to the
-/// triangles, up to the accuracy of a sample, within 2 cm of a surface, and within half a spacing
-/// farther off. The same bytes from any number of threads.
+/// triangles, rounded to a unit, within 2 cm of them (and of the offset surface), and within half
+/// a spacing farther off. The same bytes from any number of threads.
 ///
-/// No solids, or none with a triangle: an empty field. More than 255 solids, a spacing that is not
-/// positive, or a vertex that is not finite is a problem.
+/// No solids, or none with a triangle: an empty field. A problem is: more than 255 solids; a
+/// spacing that is not positive, or takes more than 256 million samples; an offset or a vertex that
+/// is not finite or beyond 1 km; a triangle with a vertex that the mesh does not have.
 Result<DistanceField> distanceFieldOf(std::span<const Solid> solids,
                                       const DistanceFieldOptions& options = {});
 
 /// Distance at a place, linear between samples [m]. Outside of the grid, that of the nearest place
-/// in it and the way there. An empty field is 1 m from anywhere.
+/// in it and the way there. An empty field is 1 m from anywhere. Not a number where the place is.
 float distanceAt(const DistanceField& field, Vec3f place);
 
 }  // namespace kushi

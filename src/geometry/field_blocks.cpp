@@ -17,7 +17,7 @@ Vec3f middleOf(const DistanceField& grid, int x, int y, int z) {
 
 }  // namespace
 
-FieldBlocks blocksOf(const DistanceField& grid, const TriangleTree& tree, int threads) {
+FieldBlocks blocksOf(const DistanceField& grid, const SolidTrees& trees, int threads) {
     FieldBlocks blocks;
     for (std::size_t k = 0; k < 3; ++k)
         blocks.size[k] = (grid.size[k] + FieldBlocks::side - 1) / FieldBlocks::side;
@@ -32,9 +32,13 @@ FieldBlocks blocksOf(const DistanceField& grid, const TriangleTree& tree, int th
         for (int x = 0; x < columns; ++x) {
             const std::size_t i = blocks.index(x, y, z);
             const Vec3f middle = middleOf(grid, x, y, z);
-            blocks.nearest[i] = nearestIn(tree, middle, guess);
-            blocks.middles[i] = probeOf(tree, middle, blocks.nearest[i].distance, last);
-            guess = blocks.nearest[i].triangle;
+            Nearest& nearest = blocks.nearest[i];
+            nearest = nearestIn(trees.surface, middle, guess);
+            guess = nearest.triangle;
+            blocks.middles[i] = probeOf(trees.surface, middle, nearest.distance, last);
+            if (&trees.from(blocks.middles[i].inside) != &trees.surface) {
+                nearest = nearestIn(trees.skin, middle, 0);
+            }
             last = {&blocks.middles[i], 1};
         }
     };

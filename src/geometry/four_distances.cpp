@@ -2,7 +2,6 @@
 #include "geometry/four_distances.h"
 
 #include <array>
-#include <cmath>
 
 namespace kushi {
 namespace {
@@ -99,7 +98,7 @@ Four fourDistances(const TriangleTree& tree, const FourPlaces& places, std::uint
             best = least(best, squares);
         }
     }
-    return Four{std::sqrt(best[0]), std::sqrt(best[1]), std::sqrt(best[2]), std::sqrt(best[3])};
+    return roots(best);
 }
 
 }  // namespace kushi

@@ -3,12 +3,17 @@
 
 #include "geometry/triangle_tree.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace kushi {
 
 /// Four numbers that the processor treats at once (GCC and Clang).
 using Four = float __attribute__((vector_size(16)));
+
+inline Four roots(Four a) {
+    return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
 
 /// Four places beside each other.
 struct FourPlaces {

@@ -12,7 +12,7 @@ Probe probeOf(const TriangleTree& tree, Vec3f place, float distance,
             return {place, distance, other.inside};
         }
     }
-    return {place, distance, windingNumber(tree, place) > 0.5};
+    return {place, distance, windingNumber(tree, place.as<double>()) > 0.5};
 }
 
 }  // namespace kushi

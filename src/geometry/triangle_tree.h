@@ -40,6 +40,6 @@ Nearest nearestIn(const TriangleTree& tree, Vec3f place, std::uint32_t guess);
 /// (Jacobson, Kavan and Sorkine 2013). Nodes that are far off count as dipoles, as in Barill,
 /// Dickson, Schmidt, Levin and Jacobson, "Fast Winding Numbers for Soups and Clouds" (2018); where
 /// that leaves doubt about a half, all triangles count as they are.
-double windingNumber(const TriangleTree& tree, Vec3f place);
+double windingNumber(const TriangleTree& tree, Vec3d place);
 
 }  // namespace kushi

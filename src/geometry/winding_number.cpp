@@ -34,13 +34,12 @@ double exactSolidAngle(const TriangleTree& tree, Vec3d place) {
 
 }  // namespace
 
-double windingNumber(const TriangleTree& tree, Vec3f place) {
+double windingNumber(const TriangleTree& tree, Vec3d place) {
     if (tree.nodes.empty()) return 0;
     constexpr double turn = 4 * std::numbers::pi;
     constexpr double doubt = 0.25;
-    const Vec3d at = place.as<double>();
-    const double quick = solidAngleOf(tree, 0, at) / turn;
-    return std::abs(quick - 0.5) > doubt ? quick : exactSolidAngle(tree, at) / turn;
+    const double quick = solidAngleOf(tree, 0, place) / turn;
+    return std::abs(quick - 0.5) > doubt ? quick : exactSolidAngle(tree, place) / turn;
 }
 
 }  // namespace kushi

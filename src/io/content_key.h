@@ -4,6 +4,8 @@
 #include "core/random.h"
 #include "io/bytes.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -20,13 +22,21 @@ public:
     /// The bytes and how many they are.
     void add(std::string_view bytes) {
         add(bytes.size());
-        while (bytes.size() >= sizeof(std::uint64_t)) {
-            add(load<std::uint64_t>(bytes.data()));
-            bytes.remove_prefix(sizeof(std::uint64_t));
+        // Four keys side by side: each word waits for the one before it, four words do not.
+        std::array<std::uint64_t, 4> keys = {key_, key_ + 1, key_ + 2, key_ + 3};
+        constexpr std::size_t step = sizeof(keys);
+        while (bytes.size() >= step) {
+            const auto words = load<std::array<std::uint64_t, 4>>(bytes.data());
+            for (std::size_t i = 0; i < words.size(); ++i)
+                keys[i] = scramble(keys[i] ^ words[i]);
+            bytes.remove_prefix(step);
         }
-        std::uint64_t rest = 0;
-        std::memcpy(&rest, bytes.data(), bytes.size());
-        add(rest);
+        std::array<std::uint64_t, 4> rest{};
+        std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(rest.data()));
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+            add(keys[i]);
+            add(rest[i]);
+        }
     }
     template <class T>
     void add(std::span<const T> items) {

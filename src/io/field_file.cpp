@@ -60,12 +60,12 @@ std::string faultOf(const Header& header, std::string_view bytes) {
                "; this Kushi reads version " + to_string(currentVersion);
     }
     if (!isSound(header)) return "its header is damaged: a distance field cannot be like that";
-    if (static_cast<double>(bytes.size()) != header.fileSize()) {
-        return (static_cast<double>(bytes.size()) < header.fileSize() ? "cut short: "
-                                                                      : "bytes after the end: ") +
+    const double expected = header.fileSize();
+    if (const auto size = static_cast<double>(bytes.size()); size != expected) {
+        return (size < expected ? "cut short: " : "bytes after the end: ") +
                to_string(bytes.size()) + " bytes, but a field of " + to_string(header.size[0]) +
                " x " + to_string(header.size[1]) + " x " + to_string(header.size[2]) +
-               " samples has another size";
+               " samples has " + (expected < 1e15 ? to_string(std::llround(expected)) : "more");
     }
     if (checksumOf(header, bytes.substr(sizeof(Header))) != header.checksum) {
         return "the file is damaged: its checksum is not that of its bytes";

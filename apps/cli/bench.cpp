@@ -92,7 +92,7 @@ public:
         rest("contact", rods, world);
         const Rods curly = grown(headOfHair(true), *follicles, 25);
         rest("curly", curly, {});
-        const Result<DistanceField> mannequin = solidsOf(Style{}, threads_);
+        const Result<DistanceField> mannequin = solidsOf(Style{}, {}, threads_);
         if (!mannequin) return timings_;
         world.solids = &*mannequin;
         rest("solids", rods, world);
@@ -123,7 +123,7 @@ public:
                       [](const Part& part) { return part.groom || !part.ties.empty(); });
         if (style.parts.empty())
             return Problem{"only hair that grows and is not tied can be timed; the style has none"};
-        const Result<DistanceField> solids = solidsOf(style, threads_);
+        const Result<DistanceField> solids = solidsOf(style, {}, threads_);
         if (!solids) return solids.problems();
         std::vector<Scene> scenes;
         std::size_t strands = 0;

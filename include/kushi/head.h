@@ -19,6 +19,9 @@ namespace kushi {
 /// triangles, no colours. The same bytes at every call; takes about a quarter of a second.
 Mesh mannequin();
 
+/// Stands for the mannequin's vertices and triangles: another number whenever they change.
+inline constexpr std::uint64_t mannequinKey = 0;
+
 /// The ellipsoid the mannequin is placed about: it encloses cranium, face and ears, and stands at
 /// most 1.5 cm off the skin where hair grows. Centre at the origin, semi-axes 10.5, 12.5 and
 /// 8.5 cm, tipped back by 20 degrees.

@@ -22,6 +22,7 @@ struct SettleOptions {
     std::optional<std::size_t> count;  ///< strands of all parts together, before cuts leave any out
     int threads = 0;                   ///< 0: as many as the machine has
     bool measurePenetration = false;   ///< fill SettleReport::penetration
+    std::string cacheFolder;           ///< of solidsOf()
     /// Told the share done, in [0, 1], now and then and from any thread; may be empty.
     std::function<void(double)> progress;
 };
@@ -98,7 +99,11 @@ Result<Strands> groomOf(const Part& part);
 
 /// What the style's hair is kept out of: its head, if that collides, and its colliders. Empty if
 /// there is nothing. Problems are those of readMesh() and distanceFieldOf().
-Result<DistanceField> solidsOf(const Style& style, int threads = 0);
+///
+/// cacheFolder  where fields are kept, by their contents, and taken from if they are there; it is
+///              made if there is none, and no matter if it cannot be written. Empty: nowhere
+Result<DistanceField> solidsOf(const Style& style, const std::string& cacheFolder = {},
+                               int threads = 0);
 
 /// The head that the style asks for, to draw below its hair; no triangles for "none". A file that
 /// is missing or no head is a problem.

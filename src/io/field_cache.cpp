@@ -39,13 +39,13 @@ std::string fieldName(std::span<const Solid> solids, const DistanceFieldOptions&
     return hexadecimal(keyOf(solids, options, 1)) + hexadecimal(keyOf(solids, options, 2));
 }
 
-Result<DistanceField> cachedField(std::span<const Solid> solids,
-                                  const DistanceFieldOptions& options, const std::string& folder) {
-    const std::string path =
-        std::filesystem::path(folder) / (fieldName(solids, options) + ".field");
+Result<DistanceField> cachedField(const std::string& name, const std::string& folder,
+                                  const std::function<Result<DistanceField>()>& make) {
+    if (folder.empty()) return make();
+    const std::string path = std::filesystem::path(folder) / (name + ".field");
     if (Result<DistanceField> field = readField(path)) return field;
-    Result<DistanceField> field = distanceFieldOf(solids, options);
-    if (!field) return field;
+    Result<DistanceField> field = make();
+    if (!field || field->empty()) return field;
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     static_cast<void>(writeField(path, *field));

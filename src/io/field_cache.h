@@ -3,6 +3,7 @@
 
 #include <kushi/distance_field.h>
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -12,10 +13,10 @@ namespace kushi {
 /// and triangles, offsets and spacing, and from how this version of Kushi computes fields.
 std::string fieldName(std::span<const Solid> solids, const DistanceFieldOptions& options);
 
-/// distanceFieldOf(), from `folder` if it was put there before; else computed and put there. The
+/// The field of a name, from `folder` if it was put there before; else made, and put there. The
 /// folder is made if there is none. One that cannot be written is no problem, nor is a damaged file
-/// in it: the field is computed.
-Result<DistanceField> cachedField(std::span<const Solid> solids,
-                                  const DistanceFieldOptions& options, const std::string& folder);
+/// in it: the field is made. So it is if `folder` is empty.
+Result<DistanceField> cachedField(const std::string& name, const std::string& folder,
+                                  const std::function<Result<DistanceField>()>& make);
 
 }  // namespace kushi

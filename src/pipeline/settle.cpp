@@ -230,7 +230,7 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     const Method method = options.method.value_or(style.solver.method);
     if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
-    const Result<DistanceField> solids = solidsOf(style, options.threads);
+    const Result<DistanceField> solids = solidsOf(style, options.cacheFolder, options.threads);
     if (!solids) return solids.problems();
     const double solidsTime = stopwatch.lap();
     const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count);

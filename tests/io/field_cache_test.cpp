@@ -19,6 +19,10 @@ std::vector<Solid> egg() {
     return {{ellipsoidMesh({{0.1, 0.2, 0.3}, {0.03, 0.04, 0.02}, 0.3}, 8), 0.001}};
 }
 
+Result<DistanceField> cached(const std::string& folder) {
+    return cachedField(fieldName(egg(), {}), folder, [] { return distanceFieldOf(egg()); });
+}
+
 TEST(FieldName, FollowsFromEveryContentThatCounts) {
     const std::string name = fieldName(egg(), {});
     EXPECT_EQ(name.size(), 32U);
@@ -45,7 +49,7 @@ TEST(FieldName, FollowsFromEveryContentThatCounts) {
 TEST(CachedField, IsPutThereOnceAndTakenFromThereAfterwards) {
     const test::TempFolder folder;
     const std::string cache = folder.path("made/anew");
-    const Result<DistanceField> first = cachedField(egg(), {}, cache);
+    const Result<DistanceField> first = cached(cache);
     ASSERT_TRUE(first.ok());
     EXPECT_EQ(first->units, distanceFieldOf(egg())->units);
     const std::string path = cache + '/' + fieldName(egg(), {}) + ".field";
@@ -55,7 +59,7 @@ TEST(CachedField, IsPutThereOnceAndTakenFromThereAfterwards) {
     DistanceField other = *first;
     other.units[0] = 77;
     ASSERT_TRUE(writeField(path, other).ok());
-    EXPECT_EQ(cachedField(egg(), {}, cache)->units[0], 77);
+    EXPECT_EQ(cached(cache)->units[0], 77);
 }
 
 TEST(CachedField, IsComputedAnewWhereTheFileIsDamaged) {
@@ -63,7 +67,7 @@ TEST(CachedField, IsComputedAnewWhereTheFileIsDamaged) {
     const std::string path = folder.path(fieldName(egg(), {}) + ".field");
     const std::string cache = std::filesystem::path(path).parent_path();
     test::writeBytes(path, "KUSHIFLD and nothing else");
-    const Result<DistanceField> field = cachedField(egg(), {}, cache);
+    const Result<DistanceField> field = cached(cache);
     ASSERT_TRUE(field.ok());
     EXPECT_EQ(field->units, distanceFieldOf(egg())->units);
     EXPECT_TRUE(readField(path).ok());
@@ -72,7 +76,7 @@ TEST(CachedField, IsComputedAnewWhereTheFileIsDamaged) {
 TEST(CachedField, IsGivenWhereTheFolderCannotBeWritten) {
     const test::TempFolder folder;
     test::writeBytes(folder.path("file"), "in the way");
-    const Result<DistanceField> field = cachedField(egg(), {}, folder.path("file"));
+    const Result<DistanceField> field = cached(folder.path("file"));
     ASSERT_TRUE(field.ok());
     EXPECT_EQ(field->units, distanceFieldOf(egg())->units);
     EXPECT_EQ(folder.files(), 1);
@@ -82,7 +86,9 @@ TEST(CachedField, OfWhatIsNoSolidIsAProblemAndLeavesNothing) {
     const test::TempFolder folder;
     std::vector<Solid> solids = egg();
     solids[0].offset = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(cachedField(solids, {}, folder.path("cache")).ok());
+    EXPECT_FALSE(cachedField(fieldName(solids, {}), folder.path("cache"), [&] {
+                     return distanceFieldOf(solids);
+                 }).ok());
     EXPECT_EQ(folder.files(), 0);
 }
 

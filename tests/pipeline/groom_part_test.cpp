@@ -140,7 +140,7 @@ TEST(GroomPart, StaysWhereItIsWithAllItHas) {
     EXPECT_EQ(keys.size(), file.size());
     EXPECT_EQ(same.report.strands, 14U);
     EXPECT_EQ(same.report.segments, file.segmentCount());
-    EXPECT_FALSE(same.report.maxPenetration);
+    EXPECT_TRUE(same.report.penetration.empty());
     EXPECT_EQ(same.report.stages.size(), 3U);
     ASSERT_TRUE(same.report.set);
     EXPECT_EQ(same.report.set->unheld, 0U);
@@ -390,7 +390,7 @@ TEST(GroomPart, StandsBesideHairThatGrows) {
     options.measurePenetration = true;
     const SettledGroom half = settled(style, options);
     EXPECT_EQ(half.strands.size(), 20U);
-    EXPECT_TRUE(half.report.maxPenetration);
+    EXPECT_EQ(half.report.penetration.size(), 1U);
 }
 
 TEST(GroomPart, HasInnerPiecesOnlyWhereTheHeadHidesThem) {

@@ -6,9 +6,10 @@
 
 namespace kushi {
 
-// Hair at rest on the top and the sides of the built-in head.
+// Hair at rest on the ellipsoid of the built-in head.
 inline Style headOfHair(int count, int segments, double length) {
     Style style;
+    style.headCollides = false;
     style.solver = {Method::Equilibrium, segments, 1, 4};
     style.parts.resize(1);
     Part& part = style.parts[0];

@@ -1,24 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "input.h"
 #include "messages.h"
+#include "report.h"
 
+#include <kushi/groom_io.h>
 #include <kushi/settle.h>
 
 #include <cstdio>
 
 namespace kushi {
 
-int runCheck(const std::string& path) {
+namespace {
+
+// The files that a style names.
+Status checkFiles(const Style& style) {
+    const bool fromFile = isMeshPath(style.headMesh);
+    if (const Result<Mesh> head = fromFile ? headOf(style) : Mesh{}; !head) return head.problems();
+    if (const auto colliders = collidersOf(style); !colliders) return colliders.problems();
+    for (const Part& part : style.parts) {
+        if (!part.groom) continue;
+        if (const Result<Strands> groom = groomOf(part); !groom) return groom.problems();
+    }
+    return std::monostate{};
+}
+
+int checkGroom(const CheckArguments& arguments) {
+    const Result<Strands> groom = readGroom(arguments.input);
+    if (!groom) return report(groom.problems());
+    const Result<DistanceField> solids =
+        solidsFor(arguments.solids, arguments.input, arguments.threads);
+    if (!solids) return report(solids.problems());
+    printPenetration(arguments.input, penetrationOf(*solids, *groom, arguments.threads));
+    return Done;
+}
+
+}  // namespace
+
+int runCheck(const CheckArguments& arguments) {
+    const std::string& path = arguments.input;
+    const Result<bool> isStyle = isStylePath(path);
+    if (isStyle && !*isStyle) return checkGroom(arguments);
+    if (!arguments.solids.empty()) {
+        return report({Problem{"--solids is for grooms; a style has its own head and colliders"}});
+    }
     const Result<Style> style = readStyle(path);
     if (!style) return report(style.problems());
-    const bool fromFile = isMeshPath(style->headMesh);
-    if (const Result<Mesh> head = fromFile ? headOf(*style) : Mesh{}; !head) {
-        return report(head.problems());
-    }
-    for (const Part& part : style->parts) {
-        if (!part.groom) continue;
-        if (const Result<Strands> groom = groomOf(part); !groom) return report(groom.problems());
-    }
+    if (const Status files = checkFiles(*style); !files) return report(files.problems());
     std::size_t forces = 0;
     std::size_t cuts = 0;
     for (const Part& part : style->parts) {
@@ -28,6 +56,13 @@ int runCheck(const std::string& path) {
     std::printf("%s: good (%s, %s, %s)\n", path.c_str(),
                 counted(style->parts.size(), "part").c_str(), counted(forces, "force").c_str(),
                 counted(cuts, "cut").c_str());
+    if (!arguments.penetration) return Done;
+    SettleFlags flags;
+    flags.threads = arguments.threads;
+    const Result<SettledGroom> groom = settleWithProgress(*style, path, flags, true);
+    if (!groom) return report(groom.problems());
+    for (const PartPenetration& part : groom->report.penetration)
+        printPenetration('\'' + part.part + '\'', part.found);
     return Done;
 }
 

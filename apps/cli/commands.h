@@ -26,12 +26,21 @@ struct GroomFlags {
     std::string up;       ///< the axis, as given
     std::optional<double> weightScale, stiffnessScale, set;
     std::optional<double> unit;  ///< cm
+    bool pushOut = false;
+    std::string solids;  ///< a style; empty: the mannequin
 };
 
 struct SettleArguments {
     std::string input, output, reportPath;
     SettleFlags flags;
     GroomFlags groom;
+};
+
+struct CheckArguments {
+    std::string input;
+    bool penetration = false;
+    std::string solids;  ///< of a groom: a style; empty: the mannequin
+    int threads = 0;
 };
 
 struct RenderArguments {
@@ -71,7 +80,7 @@ struct BenchArguments {
 };
 
 // The commands; each returns the exit status.
-int runCheck(const std::string& path);
+int runCheck(const CheckArguments& arguments);
 int runSettle(const SettleArguments& arguments);
 int runRender(const RenderArguments& arguments);
 int runSheet(const SheetArguments& arguments);

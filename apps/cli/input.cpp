@@ -21,7 +21,25 @@ std::string lowerExtension(const std::string& path) {
     return extension;
 }
 
+// Where distance fields are kept.
+std::string cacheBeside(const std::string& path) {
+    return std::filesystem::path(path).parent_path() / ".kushi";
+}
+
 }  // namespace
+
+Result<DistanceField> solidsFor(const std::string& stylePath, const std::string& groomPath,
+                                int threads) {
+    if (stylePath.empty()) return solidsOf(Style{}, cacheBeside(groomPath), threads);
+    const Result<Style> style = readStyle(stylePath);
+    if (!style) return style.problems();
+    Result<DistanceField> solids = solidsOf(*style, cacheBeside(stylePath), threads);
+    if (solids && solids->empty()) {
+        return Problem{"has nothing to keep hair out of: no head that collides and no [[collider]]",
+                       stylePath};
+    }
+    return solids;
+}
 
 Result<bool> isStylePath(const std::string& path) {
     if (lowerExtension(path) == ".toml") return true;
@@ -42,6 +60,7 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     }
     options.threads = flags.threads;
     options.measurePenetration = measurePenetration;
+    options.cacheFolder = cacheBeside(path);
     options.progress = [&bar](double share) { bar.show(share); };
     Result<SettledGroom> groom = settle(style, options);
     if (groom && groom->strands.size() == 0) {

@@ -17,6 +17,11 @@ Result<bool> isStylePath(const std::string& path);
 Result<SettledGroom> settleWithProgress(const Style& style, const std::string& path,
                                         const SettleFlags& flags, bool measurePenetration);
 
+/// What a groom is to be kept out of: the solids of a style, or the mannequin if `stylePath` is
+/// empty. Fields are kept beside the style, or beside `groomPath`.
+Result<DistanceField> solidsFor(const std::string& stylePath, const std::string& groomPath,
+                                int threads);
+
 /// Whether `path` ends in one of `endings` (".png"), and the problem if not.
 Status hasEnding(const std::string& path, const std::vector<std::string>& endings,
                  const char* what);

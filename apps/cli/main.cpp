@@ -76,12 +76,16 @@ void addGroomFlags(CLI::App& command, GroomFlags& flags) {
           1);
     command.add_option("--up", flags.up, "Grooms: the file's upward axis: x, y, z, -x, ... (y)");
     scale("--unit", flags.unit, "Grooms: the file's unit in centimetres (1)", 1e-4, 1e4);
+    command.add_flag("--push-out", flags.pushOut, "Grooms: push strands out of the head");
+    command.add_option("--solids", flags.solids,
+                       "Grooms: a style whose head and colliders --push-out means (the mannequin)");
 }
 
 // Every command's arguments, filled while parsing.
 struct Arguments {
     std::string style, from, to, described;
     bool json = false;
+    CheckArguments check;
     SettleArguments settle;
     RenderArguments render;
     SheetArguments sheet;
@@ -89,13 +93,21 @@ struct Arguments {
     BenchArguments bench;
 };
 
-void addCheck(CLI::App& program, Arguments& arguments, int& status) {
+void addCheck(CLI::App& program, CheckArguments& arguments, int& status) {
     CLI::App* command =
         program.add_subcommand("check", "Say what is wrong with a style, and where");
-    command->add_option("STYLE", arguments.style, "The style file (.toml)")->required();
+    command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
+    command->add_flag("--penetration", arguments.penetration,
+                      "Settle the style and say how far hair is inside of head and colliders; of a "
+                      "groom it is always said");
+    command->add_option("--solids", arguments.solids,
+                        "Grooms: a style whose head and colliders count (the mannequin)");
+    command->add_option("--threads", arguments.threads, "Threads (as many as the machine has)")
+        ->check(CLI::Range(1, 1024));
     command->footer(
-        "Every problem is one line, FILE:LINE:COLUMN: error: ...; exit status 2 if there are any.");
-    command->callback([&] { status = runCheck(arguments.style); });
+        "Every problem is one line, FILE:LINE:COLUMN: error: ...; exit status 2 if there are any.\n"
+        "Penetration is measured at 8 points a segment, against the distance field.");
+    command->callback([&] { status = runCheck(arguments); });
 }
 
 void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
@@ -115,7 +127,8 @@ void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
         "Examples:\n"
         "  kushi settle styles/fig10-bob.toml -o preview.ply --count 500\n"
         "  kushi settle scan.hair -o headstand.hair --gravity 0,1,0\n"
-        "  kushi settle scan.hair -o wet.hair --weight-scale 1.5 --set 0.5");
+        "  kushi settle scan.hair -o wet.hair --weight-scale 1.5 --set 0.5\n"
+        "  kushi settle scan.hair -o clean.hair --push-out --solids actor.toml");
     command->callback([&] { status = runSettle(arguments); });
 }
 
@@ -264,7 +277,7 @@ int runProgram(int argc, char** argv) {
     int status = Done;
     Arguments arguments;
     addNew(program, arguments, status);
-    addCheck(program, arguments, status);
+    addCheck(program, arguments.check, status);
     addSettle(program, arguments.settle, status);
     addRender(program, arguments.render, status);
     addSheet(program, arguments.sheet, status);

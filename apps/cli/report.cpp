@@ -58,9 +58,10 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
     json["max_penetration_cm"] = nullptr;
     double deepest = 0;
     for (const PartPenetration& part : report.penetration) {
-        deepest = std::max(deepest, part.deepest);
-        json["penetration"].push_back(
-            {{"part", part.part}, {"deepest_cm", 100 * part.deepest}, {"strands", part.strands}});
+        deepest = std::max(deepest, part.found.deepest);
+        json["penetration"].push_back({{"part", part.part},
+                                       {"deepest_cm", 100 * part.found.deepest},
+                                       {"strands", part.found.strands}});
     }
     if (!report.penetration.empty()) json["max_penetration_cm"] = 100 * deepest;
     json["pushed_out"] = report.pushedOut;
@@ -74,6 +75,15 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
 }
 
 }  // namespace
+
+void printPenetration(const std::string& what, const Penetration& found) {
+    if (found.strands == 0) {
+        std::printf("%s: none is inside (%.3f cm at most)\n", what.c_str(), 100 * found.deepest);
+        return;
+    }
+    std::printf("%s: %s inside, by %.3f cm at most\n", what.c_str(),
+                counted(found.strands, "strand").c_str(), 100 * found.deepest);
+}
 
 std::string reportJson(const SettleReport& report, const StageClock& clock) {
     return settleJson(report, clock).dump(2) + '\n';

@@ -32,6 +32,9 @@ nlohmann::ordered_json setJson(const SetReport& set);
 /// The same in words, where there is something to say.
 void printHolding(const SetReport& set, std::size_t unsettled);
 
+/// One line on standard output: how far the strands of `what` are inside of something.
+void printPenetration(const std::string& what, const Penetration& found);
+
 /// The text of --report, JSON.
 std::string reportJson(const SettleReport& report, const StageClock& clock);
 

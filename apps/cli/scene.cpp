@@ -17,6 +17,15 @@ namespace {
 constexpr double collar = 0.035;
 
 constexpr Rgb skin = {0.62F, 0.56F, 0.52F};
+constexpr Rgb felt = {0.16F, 0.17F, 0.20F};  // of what is no head
+
+void append(Mesh& to, const Mesh& from) {
+    const auto base = static_cast<std::uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
+    for (const auto& [a, b, c] : from.triangles)
+        to.triangles.push_back({a + base, b + base, c + base});
+}
 
 Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool measurePenetration,
                         StageClock& clock) {
@@ -34,6 +43,12 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     if (!head) return head.problems();
     scene.head = std::move(*head);
     scene.skin = scalpTint(scene.head, groom->strands, *scene.body, skin, flags.threads);
+    const Result<std::vector<Mesh>> colliders = collidersOf(*style);
+    if (!colliders) return colliders.problems();
+    for (const Mesh& collider : *colliders) {
+        append(scene.head, collider);
+        scene.skin.resize(scene.head.vertices.size(), felt);
+    }
     clock.end("head");
     return scene;
 }

@@ -59,6 +59,8 @@ Result<GroomSettleOptions> optionsOf(const SettleArguments& arguments) {
             arguments.input};
     }
     const GroomFlags& changes = arguments.groom;
+    if (!changes.solids.empty() && !changes.pushOut)
+        return Problem{"--solids says what --push-out pushes out of; give that too"};
     GroomSettleOptions options;
     options.threads = flags.threads;
     if (!changes.up.empty()) {
@@ -90,7 +92,8 @@ void scale(Strands& groom, double factor) {
         diameter = static_cast<float>(factor * diameter);
 }
 
-std::string groomReportJson(const GroomSettleReport& report, const StageClock& clock) {
+std::string groomReportJson(const GroomSettleReport& report,
+                            const std::optional<PushOutReport>& out, const StageClock& clock) {
     nlohmann::ordered_json json;
     json["strands"] = report.strands;
     json["segments"] = report.segments;
@@ -101,6 +104,10 @@ std::string groomReportJson(const GroomSettleReport& report, const StageClock& c
     json["max_residual"] = report.maxResidual;
     json["unsettled"] = report.unsettled;
     json["set"] = setJson(report.set);
+    if (out) {
+        json["pushed_out"] = out->pushed;
+        json["stuck"] = out->stuck;
+    }
     return json.dump(2) + '\n';
 }
 
@@ -109,12 +116,13 @@ std::string groomReportJson(const GroomSettleReport& report, const StageClock& c
 Status noGroomFlags(const SettleArguments& arguments) {
     const GroomFlags& given = arguments.groom;
     if (given.gravity.empty() && given.up.empty() && !given.weightScale && !given.stiffnessScale &&
-        !given.set && !given.unit) {
+        !given.set && !given.unit && !given.pushOut && given.solids.empty()) {
         return std::monostate{};
     }
     return Problem{
-        "--gravity, --weight-scale, --stiffness-scale, --set, --up and --unit are for grooms; a "
-        "style says it itself (gravity, groom, [hair] density, stiffness and set)",
+        "--gravity, --weight-scale, --stiffness-scale, --set, --up, --unit, --push-out and "
+        "--solids are for grooms; a style says it itself (gravity, groom, [hair] density, "
+        "stiffness and set) and always keeps its hair out of head and colliders",
         arguments.input};
 }
 
@@ -138,12 +146,20 @@ int settleGroomFile(const SettleArguments& arguments) {
         return report(problems);
     }
     clock.add(settled->report.stages);
+    std::optional<PushOutReport> out;
+    if (arguments.groom.pushOut) {
+        const Result<DistanceField> solids =
+            solidsFor(arguments.groom.solids, arguments.input, options->threads);
+        if (!solids) return report(solids.problems());
+        out = pushOut(*solids, settled->strands, options->threads);
+        clock.end("push out");
+    }
     scale(settled->strands, 1 / unit);
     if (const Status written = writeGroom(settled->strands, arguments.output); !written)
         return report(written.problems());
     clock.end("write");
     const GroomSettleReport& told = settled->report;
-    if (const Status written = writeReport(arguments.reportPath, groomReportJson(told, clock));
+    if (const Status written = writeReport(arguments.reportPath, groomReportJson(told, out, clock));
         !written) {
         return report(written.problems());
     }
@@ -151,6 +167,10 @@ int settleGroomFile(const SettleArguments& arguments) {
                 counted(told.strands, "strand").c_str(), counted(told.segments, "segment").c_str(),
                 timesLine(clock).c_str());
     printHolding(told.set, told.unsettled);
+    if (out) {
+        std::printf("pushed out: %s\n", counted(out->pushed, "strand").c_str());
+        if (out->stuck > 0) std::printf("not free: %s\n", counted(out->stuck, "strand").c_str());
+    }
     return Done;
 }
 

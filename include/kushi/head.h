@@ -20,7 +20,7 @@ namespace kushi {
 Mesh mannequin();
 
 /// Stands for the mannequin's vertices and triangles: another number whenever they change.
-inline constexpr std::uint64_t mannequinKey = 0;
+inline constexpr std::uint64_t mannequinKey = 13394650265352126557U;
 
 /// The ellipsoid the mannequin is placed about: it encloses cranium, face and ears, and stands at
 /// most 1.5 cm off the skin where hair grows. Centre at the origin, semi-axes 10.5, 12.5 and

@@ -16,6 +16,7 @@
 #include <kushi/mesh.h>
 #include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>
+#include <kushi/push_out.h>
 #include <kushi/rest_shape.h>
 #include <kushi/result.h>
 #include <kushi/rods.h>

@@ -3,6 +3,7 @@
 
 #include <kushi/distance_field.h>
 #include <kushi/mesh.h>
+#include <kushi/push_out.h>
 #include <kushi/result.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
@@ -46,8 +47,7 @@ struct SetReport {
 /// scalp's ellipsoid.
 struct PartPenetration {
     std::string part;
-    double deepest = 0;       ///< of 8 points a segment [m]
-    std::size_t strands = 0;  ///< that are deeper than 0.1 mm
+    Penetration found;
 };
 
 struct SettleReport {
@@ -104,6 +104,9 @@ Result<Strands> groomOf(const Part& part);
 ///              made if there is none, and no matter if it cannot be written. Empty: nowhere
 Result<DistanceField> solidsOf(const Style& style, const std::string& cacheFolder = {},
                                int threads = 0);
+
+/// The style's colliders, without its head. A file that is missing or no mesh is a problem.
+Result<std::vector<Mesh>> collidersOf(const Style& style);
 
 /// The head that the style asks for, to draw below its hair; no triangles for "none". A file that
 /// is missing or no head is a problem.

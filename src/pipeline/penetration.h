@@ -7,6 +7,9 @@
 
 namespace kushi {
 
+/// Depth from which a strand counts as inside [m].
+inline constexpr double insideFrom = 1e-4;
+
 /// Depth of the deepest point of a strand inside what it is kept out of [m], of 8 points on each
 /// segment (its first end and 7 more) and the tip; 0: it is outside.
 double deepestPoint(const Obstacles& obstacles, std::span<const Vec3f> nodes);

@@ -34,15 +34,11 @@ Vec3f innerEnd(const Part& part, Vec3d root) {
     return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
 }
 
-// Depth from which a strand counts as inside [m].
-constexpr double insideFrom = 1e-4;
-
 // What a block of consecutive follicles has become.
 struct Block {
     Strands strands;
     std::vector<Vec3f> innerEnds;
-    double deepest = 0;
-    std::size_t inside = 0;  // strands that are
+    Penetration found;
 };
 
 void appendDiameters(const Hair& hair, std::span<const Vec3f> nodes, std::vector<float>& out) {
@@ -67,8 +63,8 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
         if (measured == nullptr) continue;
         const double deepest = deepestPoint(*measured, nodes);
-        block.deepest = std::max(block.deepest, deepest);
-        block.inside += deepest > insideFrom ? 1 : 0;
+        block.found.deepest = std::max(block.found.deepest, deepest);
+        block.found.strands += deepest > insideFrom ? 1 : 0;
     }
     return block;
 }
@@ -174,12 +170,13 @@ private:
                         show(static_cast<double>(done += end - begin));
                     });
         reserve(groom_.strands, settled->nodes.size());
-        PartPenetration penetration = {part.name, 0, 0};
+        PartPenetration penetration = {part.name, {}};
         for (const Block& block : blocks) {
             append(groom_.strands, block.strands);
             append(groom_.innerEnds, block.innerEnds);
-            penetration.deepest = std::max(penetration.deepest, block.deepest);
-            penetration.strands += block.inside;
+            Penetration& found = penetration.found;
+            found.deepest = std::max(found.deepest, block.found.deepest);
+            found.strands += block.found.strands;
         }
         if (options_.measurePenetration) groom_.report.penetration.push_back(penetration);
         return std::monostate{};

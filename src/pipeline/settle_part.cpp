@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/settle_part.h"
 
-#include "contact/push_out.h"
-#include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
 #include "pipeline/layers.h"
+#include "pipeline/push_all_out.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/tie_up.h"
 
 #include <kushi/cantilevers.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -22,9 +20,6 @@ namespace kushi {
 namespace {
 
 constexpr double mostTurn = 2.2;  // rad in one segment
-
-// Off solids, in the end: more than a distance field may be wrong [m].
-constexpr double margin = 5e-4;
 
 // Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
 constexpr double lyingPacking = 0.15;
@@ -97,7 +92,16 @@ public:
     }
 
     SettledPart take() {
-        if (how_.solids != nullptr) pushAllOut();
+        if (how_.solids != nullptr) {
+            const auto strand = [this](std::size_t i) {
+                const auto [first, count] = settled_.stretches[i];
+                return std::span(settled_.nodes).subspan(first, count);
+            };
+            const PushOutReport out =
+                pushAllOut(*how_.solids, follicles_.size(), strand, how_.threads);
+            settled_.pushedOut = out.pushed;
+            settled_.stuck = out.stuck;
+        }
         for (std::size_t i = 0; i < outcomes_.size(); ++i) {
             if (settled_.stretches[i].count == 0) continue;
             const Outcome& outcome = outcomes_[i];
@@ -123,8 +127,7 @@ private:
         world.rootShares = shares;
         world.obstacle = &part_.scalp.ellipsoid;
         world.solids = how_.solids;
-        const std::vector<Layer> layers =
-            layers_.empty() ? layers_ : picked(layers_, which);
+        const std::vector<Layer> layers = layers_.empty() ? layers_ : picked(layers_, which);
         world.layers = layers;
         const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
         world.ties = ties;
@@ -151,22 +154,6 @@ private:
         for (const std::uint32_t k : report.unsettled)
             outcomes_[which[k]].settled = false;
         return std::monostate{};
-    }
-
-    void pushAllOut() {
-        std::atomic<std::size_t> pushed{0};
-        std::atomic<std::size_t> stuck{0};
-        parallelFor(follicles_.size(), 64, how_.threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto [first, count] = settled_.stretches[i];
-                const auto nodes = std::span(settled_.nodes).subspan(first, count);
-                if (count < 2 || clearance(*how_.solids, nodes, margin) >= margin) continue;
-                ++pushed;
-                stuck += pushOut(*how_.solids, margin, nodes) ? 0 : 1;
-            }
-        });
-        settled_.pushedOut = pushed;
-        settled_.stuck = stuck;
     }
 
     Problem tooFewSegments(double turn) const {

@@ -4,6 +4,9 @@
 #include <kushi/head.h>
 #include <kushi/settle.h>
 
+#include <array>
+#include <bit>
+
 namespace kushi {
 
 namespace {
@@ -17,9 +20,9 @@ Result<Mesh> meshOf(const std::string& mesh, const MeshPlacement& placement) {
 std::string nameOfMannequin(double gap) {
     // Its key in the place of its places.
     Solid solid;
-    solid.mesh.vertices = {std::bit_cast<std::array<Vec3f, 1>>(std::array<std::uint32_t, 3>{
-        static_cast<std::uint32_t>(mannequinKey), static_cast<std::uint32_t>(mannequinKey >> 32U),
-        1})[0]};
+    solid.mesh.vertices = {std::bit_cast<std::array<Vec3f, 1>>(
+        std::array<std::uint32_t, 3>{static_cast<std::uint32_t>(mannequinKey),
+                                     static_cast<std::uint32_t>(mannequinKey >> 32U), 1})[0]};
     solid.offset = gap;
     return fieldName({&solid, 1}, {});
 }
@@ -30,37 +33,45 @@ Result<Mesh> headOf(const Style& style) {
     return meshOf(style.headMesh, style.headPlacement);
 }
 
+Result<std::vector<Mesh>> collidersOf(const Style& style) {
+    std::vector<Mesh> meshes;
+    std::vector<Problem> problems;
+    for (const Collider& collider : style.colliders) {
+        Result<Mesh> mesh = meshOf(collider.mesh, collider.placement);
+        if (mesh) {
+            meshes.push_back(std::move(mesh).value());
+        } else {
+            problems.insert(problems.end(), mesh.problems().begin(), mesh.problems().end());
+        }
+    }
+    if (!problems.empty()) return problems;
+    return meshes;
+}
+
 Result<DistanceField> solidsOf(const Style& style, const std::string& cacheFolder, int threads) {
-    std::vector<Collider> colliders = style.colliders;
+    Style all;
+    all.colliders = style.colliders;
+    std::vector<Collider>& colliders = all.colliders;
     if (style.headCollides && style.headMesh != "none") {
-        colliders.insert(colliders.begin(), {style.headMesh, style.headPlacement, style.headGap, 0});
+        colliders.insert(colliders.begin(),
+                         {style.headMesh, style.headPlacement, style.headGap, 0});
     }
     DistanceFieldOptions options;
     options.threads = threads;
     std::vector<Solid> solids;
-    std::vector<Problem> problems;
-    const auto read = [&] {
-        for (const Collider& collider : colliders) {
-            Result<Mesh> mesh = meshOf(collider.mesh, collider.placement);
-            if (mesh) {
-                solids.push_back({std::move(mesh).value(), collider.gap});
-            } else {
-                problems.insert(problems.end(), mesh.problems().begin(), mesh.problems().end());
-            }
-        }
-    };
-    const auto make = [&] { return distanceFieldOf(solids, options); };
     // The built-in head need not be made to be known.
     if (colliders.size() == 1 && colliders[0].mesh == "mannequin") {
-        const std::string name = nameOfMannequin(colliders[0].gap);
-        return cachedField(name, cacheFolder, [&] {
-            read();
-            return make();
+        return cachedField(nameOfMannequin(colliders[0].gap), cacheFolder, [&] {
+            const Solid head = {mannequin(), colliders[0].gap};
+            return distanceFieldOf({&head, 1}, options);
         });
     }
-    read();
-    if (!problems.empty()) return problems;
-    return cachedField(fieldName(solids, options), cacheFolder, make);
+    Result<std::vector<Mesh>> meshes = collidersOf(all);
+    if (!meshes) return meshes.problems();
+    for (std::size_t i = 0; i < colliders.size(); ++i)
+        solids.push_back({std::move((*meshes)[i]), colliders[i].gap});
+    return cachedField(fieldName(solids, options), cacheFolder,
+                       [&] { return distanceFieldOf(solids, options); });
 }
 
 }  // namespace kushi

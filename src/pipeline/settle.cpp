@@ -63,7 +63,7 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         appendHairColors(part.hair, key, nodes, block.strands.colors);
         appendDiameters(part.hair, nodes, block.strands.diameters);
         block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
-        if (measurePenetration) {
+        if (measurePenetration && part.scalp.surface == ScalpSurface::Ellipsoid) {
             block.deepest = std::max(block.deepest, deepestPoint(ellipsoid, nodes));
         }
     }

@@ -108,7 +108,8 @@ private:
         world.gravity = style_.gravity;
         world.forces = part_.forces;
         world.rootShares = shares;
-        world.obstacle = &part_.scalp.ellipsoid;
+        // Hair that grows from a head below or above the ellipsoid is not kept out of that.
+        if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
         const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
         world.ties = ties;
 

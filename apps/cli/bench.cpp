@@ -9,6 +9,7 @@
 
 #include <kushi/cantilevers.h>
 #include <kushi/head.h>
+#include <kushi/settle.h>
 
 #include <algorithm>
 #include <chrono>
@@ -109,10 +110,13 @@ public:
                       [](const Part& part) { return part.groom || !part.ties.empty(); });
         if (style.parts.empty())
             return Problem{"only hair that grows and is not tied can be timed; the style has none"};
+        const Result<Mesh> head = headOf(style);
+        if (!head) return head.problems();
         std::vector<Scene> scenes;
         std::size_t strands = 0;
         for (const Part& part : style.parts) {
-            Result<Follicles> follicles = plant(part.scalp, mixKey(style.seed, textKey(part.name)));
+            Result<Follicles> follicles =
+                plant(part.scalp, mixKey(style.seed, textKey(part.name)), *head);
             if (!follicles) return follicles.problems();
             Scene scene;
             scene.part = &part;

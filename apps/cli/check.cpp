@@ -2,8 +2,10 @@
 #include "commands.h"
 #include "messages.h"
 
+#include <kushi/follicles.h>
 #include <kushi/settle.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace kushi {
@@ -11,11 +13,19 @@ namespace kushi {
 int runCheck(const std::string& path) {
     const Result<Style> style = readStyle(path);
     if (!style) return report(style.problems());
-    const bool fromFile = isMeshPath(style->headMesh);
-    if (const Result<Mesh> head = fromFile ? headOf(*style) : Mesh{}; !head) {
-        return report(head.problems());
-    }
+    const bool growsFromIt = std::ranges::any_of(
+        style->parts, [](const Part& part) { return part.scalp.surface == ScalpSurface::Head; });
+    const Result<Mesh> head = growsFromIt || isMeshPath(style->headMesh) ? headOf(*style) : Mesh{};
+    if (!head) return report(head.problems());
     for (const Part& part : style->parts) {
+        if (part.scalp.surface == ScalpSurface::Head) {
+            // A single follicle shows whether groups, mask and head go together.
+            Scalp scalp = part.scalp;
+            scalp.spacing.reset();
+            scalp.count = 1;
+            const Result<Follicles> planted = plant(scalp, style->seed, *head);
+            if (!planted) return report(planted.problems());
+        }
         if (!part.groom) continue;
         if (const Result<Strands> groom = groomOf(part); !groom) return report(groom.problems());
     }

@@ -125,10 +125,13 @@ public:
             return Problem{"only hair that grows and is not tied can be timed; the style has none"};
         const Result<DistanceField> solids = solidsOf(style, {}, threads_);
         if (!solids) return solids.problems();
+        const Result<Mesh> head = headOf(style);
+        if (!head) return head.problems();
         std::vector<Scene> scenes;
         std::size_t strands = 0;
         for (const Part& part : style.parts) {
-            Result<Follicles> follicles = plant(part.scalp, mixKey(style.seed, textKey(part.name)));
+            Result<Follicles> follicles =
+                plant(part.scalp, mixKey(style.seed, textKey(part.name)), *head);
             if (!follicles) return follicles.problems();
             Scene scene;
             scene.part = &part;

@@ -4,9 +4,11 @@
 #include "messages.h"
 #include "report.h"
 
+#include <kushi/follicles.h>
 #include <kushi/groom_io.h>
 #include <kushi/settle.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace kushi {
@@ -15,10 +17,20 @@ namespace {
 
 // The files that a style names.
 Status checkFiles(const Style& style) {
-    const bool fromFile = isMeshPath(style.headMesh);
-    if (const Result<Mesh> head = fromFile ? headOf(style) : Mesh{}; !head) return head.problems();
+    const bool growsFromIt = std::ranges::any_of(
+        style.parts, [](const Part& part) { return part.scalp.surface == ScalpSurface::Head; });
+    const Result<Mesh> head = growsFromIt || isMeshPath(style.headMesh) ? headOf(style) : Mesh{};
+    if (!head) return head.problems();
     if (const auto colliders = collidersOf(style); !colliders) return colliders.problems();
     for (const Part& part : style.parts) {
+        if (part.scalp.surface == ScalpSurface::Head) {
+            // A single follicle shows whether groups, mask and head go together.
+            Scalp scalp = part.scalp;
+            scalp.spacing.reset();
+            scalp.count = 1;
+            const Result<Follicles> planted = plant(scalp, style.seed, *head);
+            if (!planted) return planted.problems();
+        }
         if (!part.groom) continue;
         if (const Result<Strands> groom = groomOf(part); !groom) return groom.problems();
     }

@@ -42,7 +42,9 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     Result<Mesh> head = headOf(*style);
     if (!head) return head.problems();
     scene.head = std::move(*head);
-    scene.skin = scalpTint(scene.head, groom->strands, *scene.body, skin, flags.threads);
+    const bool onHead = style->parts[0].scalp.surface == ScalpSurface::Head;
+    scene.skin = scalpTint(scene.head, groom->strands, onHead ? std::nullopt : scene.body, skin,
+                           flags.threads);
     const Result<std::vector<Mesh>> colliders = collidersOf(*style);
     if (!colliders) return colliders.problems();
     for (const Mesh& collider : *colliders) {

@@ -16,7 +16,8 @@ namespace kushi {
 
 /// A hairdresser's training head: a calm, abstract face with blank eyes, neck and bust, of adult
 /// proportions, placed about headEllipsoid(). Closed, manifold, exactly mirrored in z, some 46,000
-/// triangles, no colours. The same bytes at every call; takes about a quarter of a second.
+/// triangles, no colours; those of scalpTriangles() are the group "scalp". The same bytes at every
+/// call; takes about a quarter of a second.
 Mesh mannequin();
 
 /// Stands for the mannequin's vertices and triangles: another number whenever they change.

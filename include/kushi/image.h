@@ -5,6 +5,7 @@
 #include <kushi/result.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,17 @@ struct Image {
 ///
 /// image  of 1 to 1,000,000 pixels each way, as many pixels as width x height; else a problem
 Status writePng(const Image& image, const std::string& path);
+
+/// How bright a picture is, by the numbers that its file stores: 0 is black, 65535 white. Rows from
+/// the top.
+struct GreyImage {
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> pixels;
+};
+
+/// Reads a PNG of any kind: colours become their luminance, and what is transparent is so much
+/// darker. A file that is missing, damaged or no PNG, or has more than 8192 x 8192 pixels is a
+/// problem.
+Result<GreyImage> readGreyPng(const std::string& path);
 
 }  // namespace kushi

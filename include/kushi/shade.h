@@ -72,10 +72,10 @@ std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, std::span<con
 /// roots a square centimetre, as in previews, more of that shows everywhere.
 ///
 /// strands  root first, with colours; without any the head is bare
-/// scalp    the surface on which the roots lie; skin more than 3 cm off it stays bare
-/// skin     linear albedo
-/// threads  0: as many as the machine has; the same colours from any number
-std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands, const Ellipsoid& scalp,
-                           Rgb skin, int threads = 0);
+/// scalp    the surface on which the roots lie, skin more than 3 cm off it stays bare. None where
+/// roots lie on the head itself skin     linear albedo threads  0: as many as the machine has; the
+/// same colours from any number
+std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands,
+                           const std::optional<Ellipsoid>& scalp, Rgb skin, int threads = 0);
 
 }  // namespace kushi

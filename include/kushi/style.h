@@ -41,6 +41,18 @@ struct Box {
     Range x, y, z;
 };
 
+/// A place in the text of a style.
+struct TextPlace {
+    std::string file;
+    int line = 0, column = 0;  ///< from 1; 0 if unknown
+};
+
+/// What hair grows from.
+enum class ScalpSurface {
+    Ellipsoid,
+    Head,  ///< the style's head, to which the follicles of the ellipsoid are carried
+};
+
 /// Where hair grows (Usami & Anjyo 1992, 2.3).
 struct Scalp {
     Ellipsoid ellipsoid;
@@ -48,12 +60,14 @@ struct Scalp {
     std::optional<int> count;       ///< follicles
     double jitter = 0.5;            ///< each follicle moves by up to +-jitter/2 spacings, in [0, 1]
     RootRanges regions = RootRanges(1);
-};
 
-/// A place in the text of a style.
-struct TextPlace {
-    std::string file;
-    int line = 0, column = 0;  ///< from 1; 0 if unknown
+    ScalpSurface surface = ScalpSurface::Ellipsoid;
+    /// Of a head: names of groups, objects or materials; hair grows on their triangles only. All if
+    /// empty.
+    std::vector<std::string> groups;
+    /// Of a head: path of a PNG over its texture coordinates, by whose brightness hair is sparser.
+    std::optional<std::string> mask;
+    TextPlace surfacePlace, groupsPlace, maskPlace;  ///< where the style says so
 };
 
 /// The strands of a file, which become a part as they are.
@@ -84,6 +98,26 @@ struct Wave {
     double variation = 0.15;  ///< as of Curl
 };
 
+/// A fixed direction, or one that turns with the place.
+struct ForceDirection {
+    bool radial = false;  ///< horizontally away from the world's y axis; `vector` is not used
+    Vec3d vector;         ///< unit
+};
+
+/// A place of the scalp that hair runs away from.
+struct Whorl {
+    EllipsoidAngles at;  ///< of the scalp's ellipsoid [rad]
+    double turn = 0;     ///< by which hair runs counter-clockwise of straight away, seen from
+                         ///< outside, in [-pi, pi] [rad]
+};
+
+/// What hair leans towards where it leaves the scalp.
+struct Lean {
+    ForceDirection direction = {false, {0, -1, 0}};
+    bool reversed = false;       ///< away from that
+    std::optional<Whorl> whorl;  ///< instead of a direction
+};
+
 /// What a strand is made of. Lengths, natural shapes and growth are those of hair that grows; the
 /// strands of a groom bring their own.
 struct Hair {
@@ -99,6 +133,9 @@ struct Hair {
     std::optional<Curl> curl;  ///< at most one of curl and wave
     std::optional<Wave> wave;
     Growth growth = Growth::Normal;
+    double lift = std::numbers::pi / 2;   ///< from the surface to the direction of growth, within
+                                          ///< [0, pi/2] [rad]
+    Lean lean;                            ///< of hair that is lifted less
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself; dark brown
     double set =
         1;  ///< of a groom: share of the shape in its file that stays, in [0, 1]; 0: straight
@@ -114,12 +151,6 @@ struct Hair {
 
 /// The earth's gravity [m/s2].
 inline constexpr double earthGravity = 9.80665;
-
-/// A fixed direction, or one that turns with the place.
-struct ForceDirection {
-    bool radial = false;  ///< horizontally away from the world's y axis; `vector` is not used
-    Vec3d vector;         ///< unit
-};
 
 /// Softened edges of a force or a cut; hard where 0.
 struct Falloff {

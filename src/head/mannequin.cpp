@@ -52,6 +52,9 @@ Mesh mannequin() {
     Mesh mesh = mirrored(field, fineness, half);
     for (Vec3f& vertex : mesh.vertices)
         vertex = vertex * 0.01F;
+    const std::vector<std::uint8_t> grows = scalpTriangles(mesh);
+    mesh.groups.assign(grows.begin(), grows.end());
+    mesh.groupNames = {{}, {"scalp"}};
     return mesh;
 }
 

@@ -217,7 +217,7 @@ std::string GltfDocument::findLayout(const Json& accessor, std::string_view type
     if (layout.component == nullptr) return "unknown componentType " + to_string(code);
     const Json* normalized = member(accessor, "normalized");
     layout.normalized = normalized != nullptr && *normalized == true && code != 5126;
-    layout.perElement = type == "VEC3" ? 3 : 1;
+    layout.perElement = type == "VEC3" ? 3 : (type == "VEC2" ? 2 : 1);
 
     const Json* found = item("bufferViews", view);
     if (found == nullptr) return "its bufferView does not exist";

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/affine.h"
 #include "io/gltf_document.h"
+#include "io/group_names.h"
 #include "io/mesh_file.h"
 #include "io/text.h"
 #include "io/values.h"
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -154,21 +156,35 @@ private:
             if (std::string fault = takeWhole(node, "mesh", mesh); !fault.empty()) return fault;
             // A mesh on a skeleton stands where its bones do, not where its node does.
             const bool skinned = member(node, "skin") != nullptr;
-            if (std::string fault = readMesh(mesh, skinned ? Affine{} : place); !fault.empty()) {
+            const Affine where = skinned ? Affine{} : place;
+            if (std::string fault = readMesh(mesh, where, nameOf(&node)); !fault.empty()) {
                 return "mesh " + to_string(mesh) + ": " + fault;
             }
         }
         return addNodes(node, "children", place, todo);
     }
 
-    std::string readMesh(std::uint64_t index, const Affine& place) {
+    static std::string nameOf(const Json* object) {
+        const Json* name = object != nullptr ? member(*object, "name") : nullptr;
+        return name != nullptr && name->is_string() ? name->get<std::string>() : "";
+    }
+
+    std::string readMesh(std::uint64_t index, const Affine& place, const std::string& node) {
         const Json* mesh = document_.item("meshes", index);
         if (mesh == nullptr) return "does not exist";
         const Json* primitives = member(*mesh, "primitives");
         if (primitives == nullptr || !primitives->is_array()) return "has no primitives";
         for (const Json& primitive : *primitives) {
             if (++primitives_ > mostElements) return "more primitives than a head can have";
-            if (std::string fault = readPrimitive(primitive, place); !fault.empty()) return fault;
+            std::uint64_t material = std::numeric_limits<std::uint64_t>::max();
+            std::string fault = takeWhole(primitive, "material", material);
+            if (fault.empty()) {
+                const Json* painted = document_.item("materials", material);
+                fault = names_.use({node, nameOf(mesh), nameOf(painted)}, faces);
+            }
+            if (fault.empty()) fault = readPrimitive(primitive, place);
+            if (!fault.empty()) return fault;
+            names_.assign(faces);
         }
         return {};
     }
@@ -181,16 +197,19 @@ private:
 
         const auto first = static_cast<std::uint32_t>(faces.points.size());
         const auto firstNormal = static_cast<std::uint32_t>(faces.normals.size());
+        const auto firstUv = static_cast<std::uint32_t>(faces.uvs.size());
         if (std::string fault = readVertices(primitive, place); !fault.empty()) return fault;
         const std::uint64_t count = faces.points.size() - first;
         const bool hasNormals = faces.normals.size() > firstNormal;
+        const bool hasUvs = faces.uvs.size() > firstUv;
 
         std::vector<std::uint32_t> indices;
         if (std::string fault = readIndices(primitive, count, indices); !fault.empty())
             return fault;
         const auto corner = [&](std::size_t i) {
             return Faces::Corner{first + indices[i],
-                                 hasNormals ? firstNormal + indices[i] : Faces::noNormal};
+                                 hasNormals ? firstNormal + indices[i] : Faces::none,
+                                 hasUvs ? firstUv + indices[i] : Faces::none};
         };
         const std::size_t step = mode == TriangleList ? 3 : 1;
         for (std::size_t i = 0; i + 2 < indices.size(); i += step) {
@@ -215,25 +234,41 @@ private:
             ++count;
             return isPosition(faces.points.back()) ? "" : "a position that is not finite";
         });
-        if (!fault.empty() || member(*attributes, "NORMAL") == nullptr) return fault;
-        std::size_t normals = 0;
-        fault = readVectors(*attributes, "NORMAL", [&](Vec3d n) {
-            faces.normals.push_back(place.normal(n));
-            ++normals;
-            return "";
-        });
-        if (fault.empty() && normals != count) return "not as many normals as positions";
+        if (fault.empty() && member(*attributes, "NORMAL") != nullptr) {
+            std::size_t normals = 0;
+            fault = readVectors(*attributes, "NORMAL", [&](Vec3d n) {
+                faces.normals.push_back(place.normal(n));
+                ++normals;
+                return "";
+            });
+            if (fault.empty() && normals != count) return "not as many normals as positions";
+        }
+        if (fault.empty() && member(*attributes, "TEXCOORD_0") != nullptr) {
+            fault = readNumbers(*attributes, "TEXCOORD_0", "VEC2");
+            if (fault.empty() && numbers_.size() != 2 * count)
+                return "not as many texture coordinates as positions";
+            // glTF counts v from the top.
+            for (std::size_t i = 0; i < numbers_.size() && fault.empty(); i += 2)
+                faces.uvs.push_back(
+                    {static_cast<float>(numbers_[i]), static_cast<float>(1 - numbers_[i + 1])});
+        }
+        return fault;
+    }
+
+    /// Puts what an attribute holds into numbers_.
+    std::string readNumbers(const Json& attributes, const char* key, std::string_view type) {
+        std::uint64_t accessor = 0, count = 0;
+        std::string fault = takeWhole(attributes, key, accessor);
+        if (fault.empty()) fault = document_.countOf(accessor, count);
+        if (fault.empty()) fault = spend(count);
+        if (fault.empty()) fault = document_.read(accessor, type, numbers_);
         return fault;
     }
 
     /// Calls use(vector) for each of an attribute, which returns what is wrong with it or nothing.
     template <class Use>
     std::string readVectors(const Json& attributes, const char* key, const Use& use) {
-        std::uint64_t accessor = 0, count = 0;
-        std::string fault = takeWhole(attributes, key, accessor);
-        if (fault.empty()) fault = document_.countOf(accessor, count);
-        if (fault.empty()) fault = spend(count);
-        if (fault.empty()) fault = document_.read(accessor, "VEC3", numbers_);
+        std::string fault = readNumbers(attributes, key, "VEC3");
         for (std::size_t i = 0; i < numbers_.size() && fault.empty(); i += 3) {
             fault = use(Vec3d{numbers_[i], numbers_[i + 1], numbers_[i + 2]});
         }
@@ -248,11 +283,7 @@ private:
                 indices.push_back(i);
             return {};
         }
-        std::uint64_t accessor = 0, count = 0;
-        std::string fault = takeWhole(primitive, "indices", accessor);
-        if (fault.empty()) fault = document_.countOf(accessor, count);
-        if (fault.empty()) fault = spend(count);
-        if (fault.empty()) fault = document_.read(accessor, "SCALAR", numbers_);
+        std::string fault = readNumbers(primitive, "indices", "SCALAR");
         if (!fault.empty()) return fault;
         indices.reserve(numbers_.size());
         for (const double index : numbers_) {
@@ -274,6 +305,7 @@ private:
     }
 
     GltfDocument& document_;
+    GroupNames names_;
     std::vector<bool> visited_;    // per node
     std::vector<double> numbers_;  // read last
     std::uint64_t primitives_ = 0, elements_ = 0;

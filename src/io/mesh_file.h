@@ -14,7 +14,7 @@ namespace kushi {
 // hangs on GLB.
 //
 // The mesh in the bytes of a file; `file` stands in the problems. Polygons become triangles, what
-// is no surface (materials, colours, lines) is passed over. There may be no triangle at all.
+// is no surface (colours, lines) is passed over. There may be no triangle at all.
 
 Result<Faces> parseObjMesh(std::string_view bytes, const std::string& file);
 Result<Faces> parsePlyMesh(std::string_view bytes, const std::string& file);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/group_names.h"
 #include "io/mesh_file.h"
 #include "io/obj_lines.h"
 #include "io/triangulate.h"
@@ -18,7 +19,12 @@ public:
     std::string read(std::string_view keyword, std::string_view arguments) {
         if (keyword == "v") return readVector(arguments, "v", faces.points);
         if (keyword == "vn") return readVector(arguments, "vn", faces.normals);
+        if (keyword == "vt") return readTexturePoint(arguments);
         if (keyword == "f" || keyword == "fo") return readFace(arguments);
+        if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
+            readNames(keyword, arguments);
+            return {};
+        }
         if (isObjFreeForm(keyword)) {
             return "a free-form curve or surface (" + std::string(keyword) +
                    "); export the head as a mesh of polygons";
@@ -50,7 +56,46 @@ private:
         return {};
     }
 
+    std::string readTexturePoint(std::string_view line) {
+        TexturePoint point;
+        float depth = 0;
+        for (float* const coordinate : {&point.u, &point.v, &depth}) {
+            const std::string_view word = takeObjWord(line);
+            if (word.empty() && coordinate != &point.u) break;
+            const auto number = parseNumber(word);
+            if (!number) return "expected vt and numbers, found " + inQuotes(word);
+            *coordinate = static_cast<float>(*number);
+        }
+        faces.uvs.push_back(point);
+        return {};
+    }
+
+    void readNames(std::string_view keyword, std::string_view line) {
+        std::vector<std::string>& names =
+            keyword == "g" ? groups_ : (keyword == "o" ? object_ : material_);
+        names.clear();
+        for (auto word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
+            // Groups may be several; the names of objects and materials may have blanks.
+            if (keyword == "g" || names.empty()) {
+                names.emplace_back(word);
+            } else {
+                names.back().append(" ").append(word);
+            }
+        }
+        named_ = false;
+    }
+
+    std::string useNames() {
+        if (named_) return {};
+        named_ = true;
+        std::vector<std::string> all = groups_;
+        for (const auto& names : {object_, material_})
+            all.insert(all.end(), names.begin(), names.end());
+        return names_.use(std::move(all), faces);
+    }
+
     std::string readFace(std::string_view line) {
+        if (std::string fault = useNames(); !fault.empty()) return fault;
         std::vector<Faces::Corner> polygon;
         for (auto word = takeObjWord(line); !word.empty(); word = takeObjWord(line)) {
             Faces::Corner corner;
@@ -65,6 +110,7 @@ private:
             return "a face of " + to_string(polygon.size()) + " corners, expected 3 or more";
         }
         addPolygon(faces, std::move(polygon));
+        names_.assign(faces);
         return {};
     }
 
@@ -77,6 +123,12 @@ private:
                 readIndex(word.substr(0, first), "vertex", faces.points.size(), corner.point);
             !fault.empty()) {
             return fault;
+        }
+        if (first != std::string_view::npos) {
+            // Many a file names texture coordinates that it does not have.
+            const std::string_view texture = word.substr(first + 1, second - first - 1);
+            std::uint32_t uv = 0;
+            if (readIndex(texture, "vt", faces.uvs.size(), uv).empty()) corner.uv = uv;
         }
         if (second == std::string_view::npos) return {};
         return readIndex(word.substr(second + 1), "normal", faces.normals.size(), corner.normal);
@@ -95,6 +147,10 @@ private:
         out = static_cast<std::uint32_t>(*index > 0 ? *index - 1 : count + *index);
         return {};
     }
+
+    GroupNames names_;
+    std::vector<std::string> object_, groups_, material_;  // as the lines so far say
+    bool named_ = false;                                   // whether names_ knows them
 };
 
 }  // namespace

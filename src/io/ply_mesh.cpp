@@ -67,7 +67,7 @@ public:
                        " vertices";
             }
             const auto vertex = static_cast<std::uint32_t>(index);
-            polygon.push_back({vertex, faces_.normals.empty() ? Faces::noNormal : vertex});
+            polygon.push_back({vertex, faces_.normals.empty() ? Faces::none : vertex});
         }
         addPolygon(faces_, std::move(polygon));
         return {};

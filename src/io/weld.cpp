@@ -4,7 +4,9 @@
 #include "core/random.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -41,9 +43,18 @@ bool isDirection(Vec3d v) {
 bool haveNormals(const Faces& faces) {
     return std::ranges::all_of(faces.triangles, [&](const Faces::Triangle& triangle) {
         return std::ranges::all_of(triangle, [&](Faces::Corner corner) {
-            return corner.normal != Faces::noNormal && isDirection(faces.normals[corner.normal]);
+            return corner.normal != Faces::none && isDirection(faces.normals[corner.normal]);
         });
     });
+}
+
+std::array<TexturePoint, 3> uvsOf(const Faces& faces, const Faces::Triangle& triangle) {
+    constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+    std::array<TexturePoint, 3> uvs;
+    std::ranges::transform(triangle, uvs.begin(), [&](Faces::Corner corner) {
+        return corner.uv == Faces::none ? TexturePoint{unknown, unknown} : faces.uvs[corner.uv];
+    });
+    return uvs;
 }
 
 Mesh joined(const Faces& faces, bool withNormals) {
@@ -62,13 +73,17 @@ Mesh joined(const Faces& faces, bool withNormals) {
         return entry->second;
     };
     mesh.triangles.reserve(faces.triangles.size());
-    for (const auto& [a, b, c] : faces.triangles) {
+    mesh.groupNames = faces.groupNames;
+    for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+        const auto& [a, b, c] = faces.triangles[i];
         const Vec3f pointA = rounded(faces.points[a.point]);
         const Vec3f edgeB = rounded(faces.points[b.point]) - pointA;
         const Vec3f edgeC = rounded(faces.points[c.point]) - pointA;
         if (cross(edgeB, edgeC) == Vec3f{}) continue;
         const std::uint32_t first = indexOf(a), second = indexOf(b);
         mesh.triangles.push_back({first, second, indexOf(c)});
+        if (!faces.uvs.empty()) mesh.uvs.push_back(uvsOf(faces, faces.triangles[i]));
+        if (!faces.groups.empty()) mesh.groups.push_back(faces.groups[i]);
     }
     return mesh;
 }
@@ -109,6 +124,8 @@ Mesh weld(const Faces& faces) {
     if (isInsideOut(mesh)) {
         for (auto& triangle : mesh.triangles)
             std::swap(triangle[1], triangle[2]);
+        for (auto& corners : mesh.uvs)
+            std::swap(corners[1], corners[2]);
     }
     if (!withNormals) {
         computeNormals(mesh);

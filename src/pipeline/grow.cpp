@@ -2,6 +2,7 @@
 #include "pipeline/grow.h"
 
 #include "core/random.h"
+#include "pipeline/growth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,12 +149,6 @@ private:
 
 }  // namespace
 
-Vec3d growthDirection(const Part& part, Vec3d root) {
-    const Ellipsoid& ellipsoid = part.scalp.ellipsoid;
-    return part.hair.growth == Growth::Radial ? normalized(root - ellipsoid.center)
-                                              : ellipsoid.normal(root);
-}
-
 double grownLength(const Hair& hair, std::uint64_t key) {
     return hair.length * (1 + hair.lengthVariation * uniformSigned(mixKey(key, lengthSalt)));
 }
@@ -176,7 +171,8 @@ Rods grow(const Part& part, const Follicles& follicles, const Sizes& sizes,
         const Vec3d root = follicles.roots[i];
         const std::uint64_t key = follicles.keys[i];
         const NaturalShape shape(hair, wave, key, root);
-        const Frame along = frameAlong(growthDirection(part, root));
+        const Frame along =
+            frameAlong(growthDirection(part, {root, follicles.normals[i], follicles.angles[i]}));
         rods.roots.push_back(root.as<float>());
         rods.clamps.push_back(shaped ? product(along, shape.start()) : along);
         rods.lengths.push_back(static_cast<float>(sizes.lengths[i]));

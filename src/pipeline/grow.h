@@ -9,9 +9,6 @@
 
 namespace kushi {
 
-/// Unit direction in which a part's unloaded hair leaves the scalp.
-Vec3d growthDirection(const Part& part, Vec3d root);
-
 /// Length to which a follicle's hair grows [m]: the hair's, varied by the follicle's key.
 double grownLength(const Hair& hair, std::uint64_t key);
 

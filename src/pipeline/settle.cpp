@@ -158,7 +158,9 @@ private:
         groom_.report.pushedOut += settled->pushedOut;
         groom_.report.stuck += settled->stuck;
         // Solids are what is seen; the ellipsoid stands for them where there are none.
-        const Obstacles obstacles = {solids_ == nullptr ? &part.scalp.ellipsoid : nullptr, solids_};
+        const bool onEllipsoid = part.scalp.surface == ScalpSurface::Ellipsoid;
+        const Obstacles obstacles = {
+            solids_ == nullptr && onEllipsoid ? &part.scalp.ellipsoid : nullptr, solids_};
         const Obstacles* measured = options_.measurePenetration ? &obstacles : nullptr;
         if (method_ == Method::Equilibrium) count(settled->maxResidual, settled->unsettled);
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);

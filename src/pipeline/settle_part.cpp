@@ -125,7 +125,8 @@ private:
         world.gravity = style_.gravity;
         world.forces = part_.forces;
         world.rootShares = shares;
-        world.obstacle = &part_.scalp.ellipsoid;
+        // Hair that grows from a head below or above the ellipsoid is not kept out of that.
+        if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
         world.solids = how_.solids;
         const std::vector<Layer> layers = layers_.empty() ? layers_ : picked(layers_, which);
         world.layers = layers;

@@ -5,6 +5,9 @@
 #include "pipeline/groom_source.h"
 #include "pipeline/spread.h"
 
+#include <kushi/settle.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -33,16 +36,22 @@ std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, st
     return shares;
 }
 
-Result<PartSource> sourceOf(const Part& part, std::uint64_t seed) {
+Result<PartSource> sourceOf(const Part& part, std::uint64_t seed, const Mesh& head) {
     if (part.groom) {
         Result<Strands> groom = groomOf(part);
         if (!groom) return groom.problems();
         complete(*groom, part.hair, seed);
         return PartSource{{}, std::move(*groom)};
     }
-    Result<Follicles> planted = plant(part.scalp, seed);
+    Result<Follicles> planted = plant(part.scalp, seed, head);
     if (!planted) return planted.problems();
     return PartSource{std::move(*planted), {}};
+}
+
+bool growsFromHead(const Style& style) {
+    return std::ranges::any_of(style.parts, [](const Part& part) {
+        return !part.groom && part.scalp.surface == ScalpSurface::Head;
+    });
 }
 
 Strands thinned(const Strands& groom, std::size_t count) {
@@ -54,22 +63,24 @@ Strands thinned(const Strands& groom, std::size_t count) {
 
 // With another number of strands.
 Result<PartSource> resized(PartSource source, const Part& part, std::uint64_t seed,
-                           std::size_t count) {
+                           const Mesh& head, std::size_t count) {
     if (source.groom) return PartSource{{}, thinned(*source.groom, count)};
     if (count <= source.size()) return PartSource{thin(source.follicles, count), {}};
     Part more = part;
     more.scalp.spacing.reset();
     more.scalp.count = static_cast<int>(count);
-    return sourceOf(more, seed);
+    return sourceOf(more, seed, head);
 }
 
 }  // namespace
 
 Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count) {
+    const Result<Mesh> head = growsFromHead(style) ? headOf(style) : Mesh{};
+    if (!head) return head.problems();
     std::vector<PartSource> all;
     std::vector<std::size_t> sizes;
     for (const Part& part : style.parts) {
-        Result<PartSource> source = sourceOf(part, seedOf(style, part));
+        Result<PartSource> source = sourceOf(part, seedOf(style, part), *head);
         if (!source) return source.problems();
         sizes.push_back(source->size());
         all.push_back(std::move(*source));
@@ -81,7 +92,7 @@ Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std:
     for (std::size_t p = 0; p < all.size(); ++p) {
         const Part& part = style.parts[p];
         Result<PartSource> source =
-            resized(std::move(all[p]), part, seedOf(style, part), shares[p]);
+            resized(std::move(all[p]), part, seedOf(style, part), *head, shares[p]);
         if (!source) return source.problems();
         all[p] = std::move(*source);
     }

@@ -45,6 +45,17 @@ double meridianSpeed(const Ellipsoid& e, EllipsoidAngles at) {
     return std::hypot(across * std::cos(at.theta), e.semiAxes.y * std::sin(at.theta));
 }
 
+double areaSpeed(const Ellipsoid& e, EllipsoidAngles at) {
+    const Vec3d a = e.semiAxes;
+    const double st = std::sin(at.theta);
+    const double ct = std::cos(at.theta);
+    const double sp = std::sin(at.phi);
+    const double cp = std::cos(at.phi);
+    const Vec3d byTheta = {a.x * ct * cp, -a.y * st, a.z * ct * sp};
+    const Vec3d byPhi = {-a.x * st * sp, 0, a.z * st * cp};
+    return length(cross(byTheta, byPhi));
+}
+
 ArcLength meanMeridian(const Ellipsoid& ellipsoid) {
     // The integrand is smooth and periodic in phi: equal steps converge exponentially.
     constexpr int meridians = 32;

@@ -33,4 +33,7 @@ ArcLength equator(const Ellipsoid& ellipsoid);
 /// |dP/dtheta|, the length of a meridian per radian of theta [m].
 double meridianSpeed(const Ellipsoid& ellipsoid, EllipsoidAngles at);
 
+/// |dP/dtheta x dP/dphi|, the area per radian of theta and radian of phi [m2].
+double areaSpeed(const Ellipsoid& ellipsoid, EllipsoidAngles at);
+
 }  // namespace kushi

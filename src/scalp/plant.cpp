@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/random.h"
+#include "scalp/area_map.h"
+#include "scalp/head_surface.h"
 #include "scalp/lattice.h"
 #include "style/ranges.h"
 
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace kushi {
@@ -18,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double mostSites = 20e6;
 constexpr std::size_t mostFollicles = 5000000;
 
-enum Salt : std::uint64_t { RowPhase = 1, JitterTheta = 2, JitterPhi = 3 };
+enum Salt : std::uint64_t { RowPhase = 1, JitterTheta = 2, JitterPhi = 3, Paint = 4 };
 
 // Angles that have been moved over a pole or past +-pi, as the same point's proper ones.
 EllipsoidAngles properAngles(EllipsoidAngles at) {
@@ -31,21 +34,63 @@ EllipsoidAngles properAngles(EllipsoidAngles at) {
     return at;
 }
 
-Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double spacing,
-                           std::uint64_t seed) {
+/// Where follicles stand: on the ellipsoid, or carried from it to a head.
+struct Ground {
+    const Scalp& scalp;
+    ArcLength meridian;  // by which rows are spaced
+    const HeadSurface* head = nullptr;
+    const AreaMap* areas = nullptr;  // of the head
+};
+
+// Puts a follicle down where its angles are; nothing grows where there is no head, or no paint.
+void put(const Ground& ground, EllipsoidAngles at, std::uint64_t key, Follicles& follicles) {
+    Vec3d root = ground.scalp.ellipsoid.point(at);
+    Vec3d normal = ground.scalp.ellipsoid.normal(root);
+    if (ground.head != nullptr) {
+        const auto place = ground.head->at(root);
+        if (!place || !(uniform(mixKey(key, Paint)) < place->share)) return;
+        root = place->point;
+        normal = place->normal;
+        if (ground.scalp.mask) follicles.shares.push_back(static_cast<float>(place->share));
+    }
+    follicles.roots.push_back(root);
+    follicles.normals.push_back(normal);
+    follicles.angles.push_back(at);
+    follicles.keys.push_back(key);
+}
+
+/// A row of constant theta.
+struct Row {
+    double theta = 0;
+    ArcLength along;    // phi: by arc length on an ellipsoid's equator, by area on a head
+    double scale = 1;   // the row's length over that
+    double height = 0;  // on a head, in theta [rad]
+};
+
+Row rowOf(const Ground& ground, const ArcLength& around, double low, double spacing) {
+    const double theta = ground.meridian.parameterAt(low + 0.5 * spacing);
+    if (ground.areas == nullptr) return {theta, around, std::sin(theta)};
+    const double begin = ground.meridian.parameterAt(low);
+    const double end =
+        ground.meridian.parameterAt(std::min(low + spacing, ground.meridian.total()));
+    return {theta, ground.areas->row(begin, end, spacing), 1, end - begin};
+}
+
+Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t seed) {
+    const Scalp& scalp = ground.scalp;
     const Ellipsoid& ellipsoid = scalp.ellipsoid;
     const double reach = 0.5 * scalp.jitter * spacing;
     Follicles follicles;
     follicles.spacing = spacing;
 
     const ArcLength around = equator(ellipsoid);
-    const auto rows = static_cast<std::uint64_t>(std::ceil(meridian.total() / spacing - 0.5));
-    for (std::uint64_t row = 0; row < rows; ++row) {
-        const double theta = meridian.parameterAt((static_cast<double>(row) + 0.5) * spacing);
-        const double scale = std::sin(theta);
-        const double total = scale * around.total();
+    const auto rows =
+        static_cast<std::uint64_t>(std::ceil(ground.meridian.total() / spacing - 0.5));
+    for (std::uint64_t i = 0; i < rows; ++i) {
+        const Row row = rowOf(ground, around, static_cast<double>(i) * spacing, spacing);
+        const double total = row.scale * row.along.total();
         const double places = std::max(1.0, std::round(total / spacing));
-        const std::uint64_t rowKey = mixKey(seed, row);
+        const std::uint64_t rowKey = mixKey(seed, i);
         const double phase = uniform(mixKey(rowKey, RowPhase));
 
         for (std::uint64_t column = 0; column < static_cast<std::uint64_t>(places); ++column) {
@@ -54,15 +99,12 @@ Follicles plantWithSpacing(const Scalp& scalp, const ArcLength& meridian, double
             along += reach * uniformSigned(mixKey(key, JitterPhi));
             along -= total * std::floor(along / total);
 
-            EllipsoidAngles at = {theta, around.parameterAt(along / scale)};
-            at.theta +=
-                reach * uniformSigned(mixKey(key, JitterTheta)) / meridianSpeed(ellipsoid, at);
+            EllipsoidAngles at = {row.theta, row.along.parameterAt(along / row.scale)};
+            const double aside = reach * uniformSigned(mixKey(key, JitterTheta));
+            at.theta += row.height > 0 ? aside / spacing * row.height
+                                       : aside / meridianSpeed(ellipsoid, at);
             at = properAngles(at);
-            if (!contains(scalp.regions, at)) continue;
-
-            follicles.roots.push_back(ellipsoid.point(at));
-            follicles.angles.push_back(at);
-            follicles.keys.push_back(key);
+            if (contains(scalp.regions, at)) put(ground, at, key, follicles);
         }
     }
     return follicles;
@@ -75,12 +117,7 @@ double surfaceArea(const Ellipsoid& ellipsoid) {
         const double theta = pi * (row + 0.5) / rows;
         for (int i = 0; i < rows; ++i) {
             const double phi = 2 * pi * i / rows;
-            const Vec3d a = ellipsoid.semiAxes;
-            const double st = std::sin(theta);
-            const double ct = std::cos(theta);
-            const Vec3d byTheta = {a.x * ct * std::cos(phi), -a.y * st, a.z * ct * std::sin(phi)};
-            const Vec3d byPhi = {-a.x * st * std::sin(phi), 0, a.z * st * std::cos(phi)};
-            area += length(cross(byTheta, byPhi));
+            area += areaSpeed(ellipsoid, {theta, phi});
         }
     }
     return area * (pi / rows) * (2 * pi / rows);
@@ -95,9 +132,8 @@ Problem tooMany() {
 
 // The follicles at the largest spacing found that gives at least `count`, and the surplus taken
 // out.
-Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std::size_t count,
-                             std::uint64_t seed) {
-    const double area = surfaceArea(scalp.ellipsoid);
+Result<Follicles> plantCount(const Ground& ground, std::size_t count, std::uint64_t seed) {
+    const double area = surfaceArea(ground.scalp.ellipsoid);
     const auto wanted = static_cast<double>(count);
     double fine = 0;                        // a spacing known to give enough
     double coarse = std::sqrt(area) * 100;  // one that gives too few
@@ -108,7 +144,7 @@ Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std:
             return Problem{"the regions are too small for " + std::to_string(count) +
                            " follicles; widen them or give a smaller count"};
         }
-        Follicles planted = plantWithSpacing(scalp, meridian, guess, seed);
+        Follicles planted = plantWithSpacing(ground, guess, seed);
         const auto number = static_cast<double>(planted.size());
         (number >= wanted ? fine : coarse) = guess;
         if (number >= wanted) enough = std::move(planted);
@@ -123,17 +159,26 @@ Result<Follicles> plantCount(const Scalp& scalp, const ArcLength& meridian, std:
     return thin(enough, count);
 }
 
-}  // namespace
-
-Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed) {
-    const ArcLength meridian = meanMeridian(scalp.ellipsoid);
-    if (scalp.count)
-        return plantCount(scalp, meridian, static_cast<std::size_t>(*scalp.count), seed);
+Result<Follicles> plantOn(const Ground& ground, std::uint64_t seed) {
+    const Scalp& scalp = ground.scalp;
+    if (scalp.count) return plantCount(ground, static_cast<std::size_t>(*scalp.count), seed);
     const double spacing = *scalp.spacing;
     if (surfaceArea(scalp.ellipsoid) / (spacing * spacing) > mostSites) return tooMany();
-    Follicles planted = plantWithSpacing(scalp, meridian, spacing, seed);
+    Follicles planted = plantWithSpacing(ground, spacing, seed);
     if (planted.size() > mostFollicles) return tooMany();
     return planted;
+}
+
+}  // namespace
+
+Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed, const Mesh& head) {
+    if (scalp.surface == ScalpSurface::Ellipsoid)
+        return plantOn({scalp, meanMeridian(scalp.ellipsoid)}, seed);
+    const Result<HeadSurface> surface = HeadSurface::of(scalp, head);
+    if (!surface) return surface.problems();
+    const Result<AreaMap> areas = AreaMap::of(scalp, *surface);
+    if (!areas) return areas.problems();
+    return plantOn({scalp, areas->meridian(), &*surface, &*areas}, seed);
 }
 
 }  // namespace kushi

@@ -59,10 +59,23 @@ std::vector<std::size_t> eliminate(const Follicles& follicles,
         return std::pow(nearness, 8);
     };
 
+    // By a mask hair is sparser, and neighbours farther apart. Of two the denser place counts, so
+    // that each is as near to the other.
+    constexpr float leastShare = 0.04F;
+    const auto shareOf = [&](std::size_t i) {
+        return follicles.shares.empty() ? 1.0 : std::max(leastShare, follicles.shares[members[i]]);
+    };
+    const auto around = [&](std::size_t i) {
+        return neighbours(tree, follicles.roots[members[i]], reach / std::sqrt(shareOf(i)));
+    };
+    const auto between = [&](std::size_t i, std::size_t j, double squaredDistance) {
+        return crowding(std::max(shareOf(i), shareOf(j)) * squaredDistance);
+    };
+
     std::vector<double> weights(members.size(), 0);
     for (std::size_t i = 0; i < members.size(); ++i) {
-        for (const auto& [j, squared] : neighbours(tree, follicles.roots[members[i]], reach)) {
-            if (j != i) weights[i] += crowding(squared);
+        for (const auto& [j, squared] : around(i)) {
+            if (j != i) weights[i] += between(i, j, squared);
         }
     }
 
@@ -85,8 +98,8 @@ std::vector<std::size_t> eliminate(const Follicles& follicles,
         }
         gone[i] = true;
         --left;
-        for (const auto& [j, squared] : neighbours(tree, follicles.roots[members[i]], reach)) {
-            if (!gone[j]) weights[j] -= crowding(squared);
+        for (const auto& [j, squared] : around(i)) {
+            if (!gone[j]) weights[j] -= between(i, j, squared);
         }
     }
 
@@ -118,7 +131,9 @@ Follicles thin(const Follicles& follicles, std::size_t count) {
     kept.spacing = count > 0 ? std::sqrt(area / static_cast<double>(count)) : 0;
     for (const std::size_t i : members) {
         kept.roots.push_back(follicles.roots[i]);
+        kept.normals.push_back(follicles.normals[i]);
         kept.angles.push_back(follicles.angles[i]);
+        if (!follicles.shares.empty()) kept.shares.push_back(follicles.shares[i]);
         kept.keys.push_back(follicles.keys[i]);
     }
     return kept;

@@ -107,8 +107,8 @@ double smoothstep(double low, double high, double x) {
 
 }  // namespace
 
-std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands, const Ellipsoid& scalp,
-                           Rgb skin, int threads) {
+std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands,
+                           const std::optional<Ellipsoid>& scalp, Rgb skin, int threads) {
     std::vector<Rgb> albedo(head.vertices.size(), skin);
     if (strands.colors.empty()) return albedo;
     const Roots roots(strands);
@@ -118,7 +118,8 @@ std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands, const Ellip
     parallelFor(albedo.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3f vertex = head.vertices[i];
-            const Vec3f above = scalp.point(scalp.angles(vertex.as<double>())).as<float>();
+            const Vec3f above =
+                scalp ? scalp->point(scalp->angles(vertex.as<double>())).as<float>() : vertex;
             if (length(above - vertex) > mostBelow) continue;
             const Growth growth = roots.about(above);
             const auto share =

@@ -14,7 +14,7 @@ namespace kushi {
 /// A kind of table of the style file and the keys it may have.
 struct TableKeys {
     std::string_view label;  ///< as problems name it
-    std::array<std::string_view, 16> slots;
+    std::array<std::string_view, 20> slots;
 
     constexpr std::span<const std::string_view> keys() const {
         std::size_t size = 0;
@@ -43,8 +43,9 @@ inline constexpr TableKeys solver = {"[solver]",
                                      {"method", "segments", "grading", "avoidance_steps"}};
 inline constexpr TableKeys part = {"[[part]]",
                                    {"name", "scalp", "groom", "hair", "force", "cut", "tie"}};
-inline constexpr TableKeys scalp = {"[part.scalp]",
-                                    {"ellipsoid", "spacing", "count", "jitter", "regions"}};
+inline constexpr TableKeys scalp = {
+    "[part.scalp]",
+    {"ellipsoid", "spacing", "count", "jitter", "regions", "surface", "groups", "mask"}};
 inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
 inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
 inline constexpr TableKeys groom = {"groom", {"file", "unit", "up", "front", "offset"}};
@@ -52,7 +53,8 @@ inline constexpr TableKeys hair = {
     "[part.hair]",
     {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
      "flexural_rigidity", "stiffness", "growth", "color", "variation", "shear_modulus", "taper",
-     "curl", "wave", "set"}};
+     "curl", "wave", "set", "lift", "towards", "whorl"}};
+inline constexpr TableKeys whorl = {"whorl", {"theta", "phi", "turn"}};
 inline constexpr TableKeys curl = {"curl", {"radius", "pitch", "variation"}};
 inline constexpr TableKeys wave = {"wave", {"amplitude", "length", "variation"}};
 inline constexpr TableKeys force = {"[[part.force]]",
@@ -64,10 +66,10 @@ inline constexpr TableKeys within = {"within", {"x", "y", "z"}};
 inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
-inline constexpr const TableKeys* all[] = {&top,     &head,      &landmarks, &solver,   &part,
-                                           &scalp,   &ellipsoid, &regions,   &hair,     &curl,
-                                           &wave,    &force,     &cut,       &roots,    &within,
-                                           &falloff, &groom,     &tie,       &collider, &contact};
+inline constexpr const TableKeys* all[] = {
+    &top,     &head,    &landmarks, &solver, &part,     &scalp,   &ellipsoid,
+    &regions, &hair,    &curl,      &wave,   &force,    &cut,     &roots,
+    &within,  &falloff, &groom,     &tie,    &collider, &contact, &whorl};
 
 }  // namespace tables
 

@@ -83,6 +83,10 @@ inline constexpr Quantity color = {0, 1, "", fromSrgb, {{"of 255", 1.0 / 255}}};
 inline constexpr Quantity set = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 inline constexpr Quantity variation = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 
+/// From the surface of the scalp.
+inline constexpr Quantity lift = {0, 90, "degrees", radians};
+/// Of hair about a whorl.
+inline constexpr Quantity turn = {-180, 180, "degrees", radians};
 inline constexpr Quantity direction = {-1000, 1000, ""};
 inline constexpr Quantity magnitude = {-1000, 1000, "times the hair's own weight"};
 inline constexpr Quantity falloffAngle = {0, 180, "degrees", radians};

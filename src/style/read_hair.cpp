@@ -81,7 +81,8 @@ void refuseOther(const Node& hair, bool grows, Diagnostics& problems) {
                problems);
         return;
     }
-    for (const std::string_view key : {"length", "length_variation", "growth", "curl", "wave"})
+    for (const std::string_view key :
+         {"length", "length_variation", "growth", "curl", "wave", "lift", "towards", "whorl"})
         refuse(hair, key, "is for hair that grows; the strands of a groom are as its file has them",
                problems);
 }
@@ -107,6 +108,7 @@ Hair readHair(const Node& node, bool grows, ReadContext& context) {
     readNaturalShape(table, hair);
     table.choice<Growth>("growth", {{"normal", Growth::Normal}, {"radial", Growth::Radial}},
                          hair.growth);
+    readLean(table, hair);
     readColor(table, hair.color);
     table.number("variation", quantities::variation, hair.variation);
     table.number("set", quantities::set, hair.set);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "style/read_direction.h"
 #include "style/read_number.h"
 #include "style/read_parts.h"
 
@@ -9,65 +10,6 @@
 namespace kushi {
 
 namespace {
-
-/// A direction by name; `sign` turns those that only differ by it.
-struct NamedDirection {
-    bool radial;
-    Vec3d vector;
-    double sign = 1;
-};
-
-void readNamedDirection(const TableReader& table, Force& force) {
-    const NamedDirection out = {true, {}};
-    const NamedDirection in = {true, {}, -1};
-    NamedDirection named = {};
-    table.choice<NamedDirection>("direction",
-                                 {{"x", {false, {1, 0, 0}}},
-                                  {"y", {false, {0, 1, 0}}},
-                                  {"z", {false, {0, 0, 1}}},
-                                  {"r", out},
-                                  {"front", {false, {1, 0, 0}}},
-                                  {"back", {false, {-1, 0, 0}}},
-                                  {"left", {false, {0, 0, -1}}},
-                                  {"right", {false, {0, 0, 1}}},
-                                  {"up", {false, {0, 1, 0}}},
-                                  {"down", {false, {0, -1, 0}}},
-                                  {"out", out},
-                                  {"in", in}},
-                                 named);
-    force.direction = {named.radial, named.vector};
-    force.magnitude *= named.sign;
-}
-
-void readVectorDirection(const TableReader& table, const Node& node, Force& force) {
-    const auto vector =
-        readVector(node, "direction", quantities::direction, table.context().problems);
-    if (!vector) return;
-    const double largest =
-        std::max({std::abs(vector->x), std::abs(vector->y), std::abs(vector->z)});
-    if (largest == 0) {
-        table.context().problems.add(node.begin,
-                                     "direction: found a zero vector, expected one that points "
-                                     "somewhere");
-        return;
-    }
-    // Scaled first, so that the squares of tiny components do not vanish.
-    force.direction.vector = normalized(*vector / largest);
-}
-
-void readDirection(const TableReader& table, Force& force) {
-    const std::string expected = "a name as in \"z\" or a vector as in [0, 1, 0]";
-    table.require("direction", expected);
-    const Node* node = table.find("direction");
-    if (node == nullptr) return;
-    if (node->kind == Kind::String) {
-        readNamedDirection(table, force);
-    } else if (node->kind == Kind::Array) {
-        readVectorDirection(table, *node, force);
-    } else {
-        table.context().problems.unexpected("direction", *node, expected);
-    }
-}
 
 void readFalloffOf(const TableReader& operation, Falloff& out) {
     const Node* node = operation.table("falloff", tables::falloff);
@@ -135,7 +77,10 @@ Force readForce(const Node& node, ReadContext& context) {
         force.within = readBox(*within, context);
     }
     table.number("magnitude", quantities::magnitude, force.magnitude);
-    readDirection(table, force);
+    table.require("direction", expectedDirection);
+    bool reversed = false;
+    readDirection(table, "direction", force.direction, reversed);
+    if (reversed) force.magnitude = -force.magnitude;
     readFalloffOf(table, force.falloff);
     return force;
 }

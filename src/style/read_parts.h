@@ -23,6 +23,8 @@ Scalp readScalp(const Node& node, ReadContext& context);
 GroomSource readGroomSource(const Entry& entry, ReadContext& context);
 /// What hair that grows needs and the strands of a groom must not have, and the other way round.
 Hair readHair(const Node& node, bool grows, ReadContext& context);
+/// `lift`, `towards` and `whorl` of a hair's table.
+void readLean(const TableReader& table, Hair& hair);
 Force readForce(const Node& node, ReadContext& context);
 Cut readCut(const Node& node, ReadContext& context);
 /// Its place is not finite where it could not be read.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "style/read_parts.h"
 
+#include <filesystem>
+
 namespace kushi {
 
 namespace {
@@ -26,6 +28,63 @@ void readDensity(const TableReader& table, Scalp& scalp) {
     table.requireOne("spacing", "count", "spacing = 0.13");
 }
 
+void readGroups(const TableReader& table, const Node& node, std::vector<std::string>& groups) {
+    const std::string expected = R"(an array of names, as in ["scalp"])";
+    if (node.kind != Kind::Array || node.items.empty()) {
+        table.context().problems.unexpected("groups", node, expected);
+        return;
+    }
+    for (const Node& item : node.items) {
+        if (item.kind == Kind::String && !item.string().empty()) {
+            groups.push_back(item.string());
+        } else {
+            table.context().problems.unexpected("groups", item, "a name");
+        }
+    }
+}
+
+void readMask(const TableReader& table, const Node& node, std::optional<std::string>& mask) {
+    if (node.kind == Kind::String &&
+        (node.string().ends_with(".png") || node.string().ends_with(".PNG"))) {
+        mask = std::filesystem::path(table.context().folder) / node.string();
+    } else {
+        table.context().problems.unexpected("mask", node, "a picture that ends in .png");
+    }
+}
+
+// The surface that hair grows from, and what goes with a head's only.
+void readSurface(const TableReader& table, Scalp& scalp) {
+    ReadContext& context = table.context();
+    table.choice<ScalpSurface>(
+        "surface", {{"ellipsoid", ScalpSurface::Ellipsoid}, {"head", ScalpSurface::Head}},
+        scalp.surface);
+    const bool onHead = scalp.surface == ScalpSurface::Head;
+    if (const Entry* surface = table.node().find("surface")) {
+        scalp.surfacePlace = context.problems.place(surface->at);
+        if (onHead && context.headless) {
+            context.problems.add(surface->value.begin,
+                                 "surface: hair is to grow from the head, but [head] has mesh = "
+                                 "\"none\"");
+        }
+    }
+    const auto place = [&](const Entry& entry) {
+        if (!onHead) {
+            context.problems.add(entry.at, '\'' + entry.key +
+                                               "' is of a head's surface; write surface = "
+                                               "\"head\" beside it");
+        }
+        return context.problems.place(entry.at);
+    };
+    if (const Entry* groups = table.node().find("groups")) {
+        scalp.groupsPlace = place(*groups);
+        readGroups(table, groups->value, scalp.groups);
+    }
+    if (const Entry* mask = table.node().find("mask")) {
+        scalp.maskPlace = place(*mask);
+        readMask(table, mask->value, scalp.mask);
+    }
+}
+
 }  // namespace
 
 Scalp readScalp(const Node& node, ReadContext& context) {
@@ -37,6 +96,7 @@ Scalp readScalp(const Node& node, ReadContext& context) {
     }
     readDensity(table, scalp);
     table.number("jitter", quantities::jitter, scalp.jitter);
+    readSurface(table, scalp);
 
     if (const Node* regions = table.find("regions")) {
         scalp.regions.clear();

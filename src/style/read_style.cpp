@@ -190,6 +190,7 @@ void readTop(const TableReader& table, Style& style) {
     if (const Node* solver = table.table("solver", tables::solver)) {
         style.solver = readSolver(*solver, table.context());
     }
+    table.context().headless = style.headMesh == "none";
     table.context().walks = style.solver.method == Method::Cantilever;
     readParts(table, style);
 }
@@ -226,7 +227,7 @@ Result<Style> parseStyle(std::string_view text, const std::string& file) {
 
     Diagnostics problems(*document, file);
     const std::string folder = std::filesystem::path(file).parent_path();
-    ReadContext context = {problems, keepsPartAtTop(document->root), folder, {}, true};
+    ReadContext context = {problems, keepsPartAtTop(document->root), folder, {}, true, false};
     Style style;
     if (readVersion(document->root, problems)) {
         readTop(TableReader(document->root, tables::top, context), style);

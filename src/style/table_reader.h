@@ -27,6 +27,7 @@ struct ReadContext {
     std::string folder;      ///< where relative paths start
     Heights heights;         ///< of the head's landmarks
     bool walks = true;       ///< the method is the cantilever's
+    bool headless = false;   ///< there is no head
 
     std::string label(const TableKeys& table) const;
 };

@@ -25,6 +25,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (faces->triangles.empty() || !placeMesh(*faces, {}, 0.01).empty()) return 0;
     const Mesh mesh = weld(*faces);
     if (mesh.normals.size() != mesh.vertices.size()) std::abort();
+    if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.triangles.size()) std::abort();
+    if (!mesh.groups.empty() && mesh.groups.size() != mesh.triangles.size()) std::abort();
+    for (const std::uint16_t group : mesh.groups) {
+        if (group >= mesh.groupNames.size()) std::abort();
+    }
     for (const Vec3f vertex : mesh.vertices) {
         if (!isFinite(vertex)) std::abort();
     }

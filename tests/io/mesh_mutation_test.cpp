@@ -22,12 +22,14 @@ void expectConsistent(Faces faces) {
     for (const Faces::Triangle& triangle : faces.triangles) {
         for (const Faces::Corner corner : triangle) {
             ASSERT_LT(corner.point, faces.points.size());
-            ASSERT_TRUE(corner.normal == Faces::noNormal || corner.normal < faces.normals.size());
+            ASSERT_TRUE(corner.normal == Faces::none || corner.normal < faces.normals.size());
         }
     }
     if (!placeMesh(faces, {}, 0.01).empty()) return;
     const Mesh mesh = weld(faces);
     ASSERT_EQ(mesh.vertices.size(), mesh.normals.size());
+    ASSERT_EQ(mesh.groups.size(), faces.groups.empty() ? 0 : mesh.triangles.size());
+    ASSERT_EQ(mesh.uvs.size(), faces.uvs.empty() ? 0 : mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         ASSERT_TRUE(isFinite(mesh.vertices[i]) && isFinite(mesh.normals[i]));
 }

@@ -371,6 +371,43 @@ const Malformed bodies[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Bodies, MalformedStyle, testing::ValuesIn(bodies));
 
+const std::string spaced = "spacing = 0.5\n";
+
+const Malformed surfaces[] = {
+    {inScalp(spaced + "surface = @\"haed\""), {"did you mean \"head\"?"}},
+    {inScalp(spaced + "surface = @\"head\"") + "[head]\nmesh = \"none\"\n",
+     {"surface: hair is to grow from the head, but [head] has mesh = \"none\""}},
+    {inScalp(spaced + "@groups = [\"scalp\"]"),
+     {"'groups' is of a head's surface; write surface = \"head\" beside it"}},
+    {inScalp(spaced + "@mask = \"a.png\"\nsurface = \"ellipsoid\""),
+     {"'mask' is of a head's surface"}},
+    {inScalp(spaced + "surface = \"head\"\ngroups = @\"scalp\""),
+     {R"(groups: found the string "scalp", expected an array of names, as in ["scalp"])"}},
+    {inScalp(spaced + "surface = \"head\"\ngroups = @[]"), {"expected an array of names"}},
+    {inScalp(spaced + "surface = \"head\"\ngroups = [@1, @\"\"]"),
+     {"groups: found 1, expected a name", "groups: found the string \"\", expected a name"}},
+    {inScalp(spaced + "surface = \"head\"\nmask = @\"a.jpg\""),
+     {R"(mask: found the string "a.jpg", expected a picture that ends in .png)"}},
+    {inScalp(spaced + "surface = \"head\"\nmask = @0.5"), {"mask: found 0.5, expected a picture"}},
+};
+INSTANTIATE_TEST_SUITE_P(Surfaces, MalformedStyle, testing::ValuesIn(surfaces));
+
+const Malformed leans[] = {
+    {inHair("lift = @91"), {"lift: found 91, expected a number from 0 to 90 degrees"}},
+    {inHair("@towards = \"back\""),
+     {"'towards' says where hair leans to, which stands upright without 'lift'"}},
+    {inHair("@whorl = { theta = 5 }"), {"'whorl' says where hair leans to"}},
+    {inHair("lift = 5\ntowards = \"back\"\n@whorl = { theta = 5 }"),
+     {"found both 'towards' and 'whorl', expected one of them"}},
+    {inHair("lift = 5\ntowards = @\"bakc\""), {"did you mean \"back\"?"}},
+    {inHair("lift = 5\ntowards = @[0, 0, 0]"), {"towards: found a zero vector"}},
+    {inHair("lift = 5\ntowards = @5"), {"towards: found 5, expected a name as in \"z\""}},
+    {inHair("lift = 5\nwhorl = @{ phi = 5 }"), {"whorl has no 'theta', expected a number of"}},
+    {inHair("lift = 5\nwhorl = { theta = @-1, phi = @400, turn = @200 }"),
+     {"theta: found -1", "phi: found 400", "turn: found 200, expected a number from -180 to 180"}},
+};
+INSTANTIATE_TEST_SUITE_P(Leans, MalformedStyle, testing::ValuesIn(leans));
+
 const std::string rest = "[solver]\nmethod = \"equilibrium\"\n";
 
 const Malformed natural[] = {
@@ -424,6 +461,8 @@ const Malformed grooms[] = {
      {"'curl' is for hair that grows"}},
     {withGroom("\"a.ply\"", "@wave = { amplitude = 1, length = 1 }"),
      {"'wave' is for hair that grows"}},
+    {withGroom("\"a.ply\"", "@lift = 5\n@towards = \"back\""),
+     {"'lift' is for hair that grows", "'towards' is for hair that grows"}},
     {withGroom("\"a.ply\"", "set = @1.5"), {"set: found 1.5, expected a number from 0 to 1"}},
     {withGroom("\"a.ply\"", "set = @50"), {"50 % would be 0.5"}},
     {inHair("@set = 1"), {"'set' is for the strands of a groom; hair that grows takes the shape"}},

@@ -110,6 +110,10 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::solver, "grading", quantities::grading},
         {tables::hair, "shear_modulus", quantities::youngsModulus},
         {tables::hair, "taper", quantities::taper},
+        {tables::hair, "lift", quantities::lift},
+        {tables::whorl, "theta", quantities::theta},
+        {tables::whorl, "phi", quantities::phi},
+        {tables::whorl, "turn", quantities::turn},
         {tables::curl, "radius", quantities::curlSize},
         {tables::curl, "pitch", quantities::curlSize},
         {tables::curl, "variation", quantities::lengthVariation},
@@ -159,7 +163,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 7);
+    EXPECT_EQ(examples, 8);
 }
 
 }  // namespace

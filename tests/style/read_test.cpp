@@ -76,6 +76,12 @@ TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
     EXPECT_EQ(part.hair.flexuralRigidity, std::nullopt);
     EXPECT_EQ(part.hair.stiffness, 1);
     EXPECT_EQ(part.hair.growth, Growth::Normal);
+    EXPECT_EQ(part.hair.lift, pi / 2);
+    EXPECT_EQ(part.hair.lean.direction.vector, (Vec3d{0, -1, 0}));
+    EXPECT_FALSE(part.hair.lean.whorl);
+    EXPECT_EQ(part.scalp.surface, ScalpSurface::Ellipsoid);
+    EXPECT_TRUE(part.scalp.groups.empty());
+    EXPECT_FALSE(part.scalp.mask);
     EXPECT_EQ(part.hair.color, (Rgb{0.11F, 0.057F, 0.034F}));
     EXPECT_EQ(part.hair.variation, 0.12);
 }
@@ -130,6 +136,43 @@ TEST(Style, HairIsConvertedToSi) {
     EXPECT_EQ(hair.flexuralRigidity, 7.8e-9);
     EXPECT_EQ(hair.stiffness, 2);
     EXPECT_EQ(hair.growth, Growth::Radial);
+}
+
+TEST(Style, HairMayGrowFromTheHead) {
+    const auto style = parseStyle(
+        "kushi = 1\n[scalp]\nellipsoid = { semi_axes = [10, 12, 8] }\nspacing = 0.5\n"
+        "surface = \"head\"\n  groups = [\"Scalp\", \"my skin\"]\n    mask = \"heads/a.png\"\n"
+        "[hair]\nlength = 25\n",
+        "styles/a.toml");
+    ASSERT_TRUE(style.ok()) << toString(style.problems()[0]);
+    const Scalp& scalp = style->parts[0].scalp;
+    EXPECT_EQ(scalp.surface, ScalpSurface::Head);
+    EXPECT_EQ(scalp.groups, (std::vector<std::string>{"Scalp", "my skin"}));
+    EXPECT_EQ(scalp.mask, "styles/heads/a.png");
+    EXPECT_EQ(scalp.surfacePlace.line, 5);
+    EXPECT_EQ(scalp.groupsPlace.line, 6);
+    EXPECT_EQ(scalp.groupsPlace.column, 3);
+    EXPECT_EQ(scalp.maskPlace.line, 7);
+    EXPECT_EQ(scalp.maskPlace.column, 5);
+    EXPECT_EQ(scalp.maskPlace.file, "styles/a.toml");
+}
+
+TEST(Style, HairLeansWhereItIsTold) {
+    Hair hair = partWith("lift = 30\n").hair;
+    EXPECT_DOUBLE_EQ(hair.lift, pi / 6);
+    EXPECT_EQ(hair.lean.direction.vector, (Vec3d{0, -1, 0}));
+    hair = partWith("lift = 0\ntowards = [0, 3, -4]\n").hair;
+    EXPECT_EQ(hair.lift, 0);
+    expectNear(hair.lean.direction.vector, {0, 0.6, -0.8});
+    EXPECT_FALSE(hair.lean.reversed);
+    hair = partWith("lift = 10\ntowards = \"in\"\n").hair;
+    EXPECT_TRUE(hair.lean.direction.radial);
+    EXPECT_TRUE(hair.lean.reversed);
+    hair = partWith("lift = 10\nwhorl = { theta = 9, phi = 180, turn = -45 }\n").hair;
+    ASSERT_TRUE(hair.lean.whorl);
+    EXPECT_DOUBLE_EQ(hair.lean.whorl->at.theta, pi / 20);
+    EXPECT_DOUBLE_EQ(hair.lean.whorl->at.phi, pi);
+    EXPECT_DOUBLE_EQ(hair.lean.whorl->turn, -pi / 4);
 }
 
 TEST(Style, HairTypesAreDiametersThatADiameterReplaces) {
@@ -525,6 +568,7 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::groom, "[groom]\n"},
         {&tables::hair, "[hair]\n"},
         {&tables::curl, "[hair.curl]\n"},
+        {&tables::whorl, "[hair.whorl]\n"},
         {&tables::wave, "[hair.wave]\n"},
         {&tables::force, "[[force]]\n"},
         {&tables::cut, "[[cut]]\n"},

@@ -66,6 +66,10 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
     if (!report.penetration.empty()) json["max_penetration_cm"] = 100 * deepest;
     json["pushed_out"] = report.pushedOut;
     json["stuck"] = report.stuck;
+    if (report.crowding) {
+        json["max_packing"] = report.crowding->packing;
+        json["volume_cm3"] = 1e6 * report.crowding->volume;
+    }
     if (report.solidsSpacing) json["solids_spacing_cm"] = 100 * *report.solidsSpacing;
     json["max_residual"] = nullptr;
     if (report.maxResidual) json["max_residual"] = *report.maxResidual;

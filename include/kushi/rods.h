@@ -85,6 +85,9 @@ struct RodWorld {
     const Ellipsoid* obstacle = nullptr;     ///< kept outside of; none if null
     const DistanceField* solids = nullptr;   ///< kept outside of as well; none if null
     std::span<const Layer> layers = {};      ///< of each strand; empty: all lie on the skin
+    /// Of each segment of all rods, at its middle, times its weight: what stays the same wherever
+    /// the segment goes, as the pressure of other hair in one round of settling. Empty: none.
+    std::span<const Vec3f> loads = {};
     /// In the order of their strands. One that lies farther from the root than the hair between
     /// can reach leaves its strand unsettled.
     std::span<const Tie> ties = {};
@@ -113,6 +116,7 @@ struct RestOptions {
     double tolerance = 1e-5;  ///< largest imbalance of moments over EI/L + w L^2/2, per strand
     bool warm = false;        ///< begin at the state, if it is of the same rods
     int threads = 0;          ///< 0: as many as the machine has
+    bool refine = true;       ///< what does not come to rest in floats is tried in doubles
 };
 
 struct RestReport {

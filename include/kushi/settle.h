@@ -50,6 +50,12 @@ struct PartPenetration {
     Penetration found;
 };
 
+/// How closely hair lies, in voxels of 5 mm.
+struct Crowding {
+    double packing = 0;  ///< largest share of a voxel that is hair
+    double volume = 0;   ///< of the voxels of which 0.1 % or more is hair [m3]
+};
+
 struct SettleReport {
     std::size_t strands = 0;
     std::size_t segments = 0;  ///< in all
@@ -59,6 +65,7 @@ struct SettleReport {
     /// Strands that came to rest in solids with a place between their nodes, or walked there, and
     /// were turned out of them; and those that are still nearer than they should be.
     std::size_t pushedOut = 0, stuck = 0;
+    std::optional<Crowding> crowding;     ///< if penetration is measured
     std::optional<double> solidsSpacing;  ///< of the solids' distance field [m]
     /// Equilibrium: largest imbalance of moments of any strand over its EI/L + w L^2/2, and how
     /// many strands did not come to rest. The cantilever solves for no rest.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
+#include "pipeline/crowd.h"
 #include "pipeline/groom_part.h"
 #include "pipeline/groom_source.h"
 #include "pipeline/hair_color.h"
@@ -11,8 +12,8 @@
 #include <kushi/settle.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <numbers>
 
 namespace kushi {
 
@@ -33,6 +34,9 @@ Vec3f innerEnd(const Part& part, Vec3d root) {
     if (away == 0 || (part.groom && away - surface >= innerPiece)) return root.as<float>();
     return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
 }
+
+// In which hair that is too close pushes itself apart.
+constexpr int rounds = 3;
 
 // What a block of consecutive follicles has become.
 struct Block {
@@ -126,13 +130,36 @@ public:
           all_(static_cast<double>(all)) {}
 
     Status add(const Part& part, const PartSource& source) {
-        Status added =
-            source.groom ? addGroom(part, *source.groom) : addGrown(part, source.follicles);
+        Status added = source.groom ? addGroom(part, *source.groom) : grow(part, source.follicles);
         done_ += source.size();
+        show(static_cast<double>(done_));
         return added;
     }
 
-    SettledGroom take(double solidsTime, double plantTime, double settleTime) {
+    // Rounds in which hair that is too close pushes itself apart.
+    Status loosen() {
+        if (!style_.contact.packing || method_ != Method::Equilibrium) return std::monostate{};
+        const auto most = static_cast<float>(*style_.contact.packing);
+        const Voxels voxels = voxelsFor(thickStrands());
+        Pressure pressure(voxels);
+        for (int round = 0; round < rounds; ++round) {
+            const Density density = densityOf(thickStrands(), voxels, options_.threads);
+            if (density.largestPacking() <= most) break;
+            pressure.grow(density, most);
+            for (GrownPart& grown : grown_) {
+                if (Status settled = grown.hair.settleUnder(pressure); !settled) return settled;
+            }
+        }
+        return std::monostate{};
+    }
+
+    SettledGroom take(double solidsTime, double plantTime, double settleTime, double looseTime) {
+        for (std::size_t p = 0; p < style_.parts.size(); ++p) {
+            for (GrownPart& grown : grown_)
+                if (grown.part == &style_.parts[p]) put(grown);
+            for (GroomOfPart& groom : grooms_)
+                if (groom.part == &style_.parts[p]) put(groom);
+        }
         SettleReport& report = groom_.report;
         if (solids_ != nullptr) {
             report.solidsSpacing = solids_->spacing;
@@ -141,37 +168,74 @@ public:
         report.strands = groom_.strands.size();
         report.segments = groom_.strands.segmentCount();
         report.stages.push_back({"plant", plantTime});
+        if (options_.measurePenetration) measureCrowding();
         if (holding_) {
             report.set = describe(*holding_);
             report.stages.push_back({"set", setTime_});
         }
         report.stages.push_back({"settle", settleTime - setTime_});
+        if (style_.contact.packing) report.stages.push_back({"loosen", looseTime});
         return std::move(groom_);
     }
 
 private:
-    Status addGrown(const Part& part, const Follicles& follicles) {
-        const int segments = options_.segments.value_or(style_.solver.segments);
-        const Result<SettledPart> settled =
-            settlePart(style_, part, follicles, {method_, segments, solids_, options_.threads});
-        if (!settled) return settled.problems();
-        groom_.report.pushedOut += settled->pushedOut;
-        groom_.report.stuck += settled->stuck;
+    struct GrownPart {
+        const Part* part;
+        const Follicles* follicles;
+        PartHair hair;
+    };
+    struct GroomOfPart {
+        const Part* part;
+        Strands strands;
+    };
+
+    Status grow(const Part& part, const Follicles& follicles) {
+        PartSettling how;
+        how.method = method_;
+        how.segments = options_.segments.value_or(style_.solver.segments);
+        how.solids = solids_;
+        how.again = style_.contact.packing && method_ == Method::Equilibrium;
+        how.threads = options_.threads;
+        grown_.push_back({&part, &follicles, PartHair(style_, part, follicles, how)});
+        return grown_.back().hair.settle();
+    }
+
+    std::vector<ThickStrand> thickStrands() const {
+        std::vector<ThickStrand> all;
+        const auto section = [](double diameter) {
+            return std::numbers::pi / 4 * diameter * diameter;
+        };
+        for (const GrownPart& grown : grown_) {
+            for (const auto nodes : grown.hair.strands())
+                all.push_back({nodes, section(grown.part->hair.diameter)});
+        }
+        for (const GroomOfPart& groom : grooms_) {
+            for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+                const double diameter = groom.strands.diameters[groom.strands.offsets[i]];
+                all.push_back({groom.strands.strand(i), section(diameter)});
+            }
+        }
+        return all;
+    }
+
+    void put(GrownPart& grown) {
+        const Part& part = *grown.part;
+        const Follicles& follicles = *grown.follicles;
+        const SettledPart settled = grown.hair.take();
+        groom_.report.pushedOut += settled.pushedOut;
+        groom_.report.stuck += settled.stuck;
         // Solids are what is seen; the ellipsoid stands for them where there are none.
         const bool onEllipsoid = part.scalp.surface == ScalpSurface::Ellipsoid;
         const Obstacles obstacles = {
             solids_ == nullptr && onEllipsoid ? &part.scalp.ellipsoid : nullptr, solids_};
         const Obstacles* measured = options_.measurePenetration ? &obstacles : nullptr;
-        if (method_ == Method::Equilibrium) count(settled->maxResidual, settled->unsettled);
+        if (method_ == Method::Equilibrium) count(settled.maxResidual, settled.unsettled);
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
-        std::atomic<std::size_t> done{done_};
-        parallelFor(follicles.size(), blockSize, options_.threads,
-                    [&](std::size_t begin, std::size_t end) {
-                        blocks[begin / blockSize] =
-                            blockOf(part, follicles, *settled, begin, end, measured);
-                        show(static_cast<double>(done += end - begin));
-                    });
-        reserve(groom_.strands, settled->nodes.size());
+        parallelFor(
+            follicles.size(), blockSize, options_.threads, [&](std::size_t begin, std::size_t end) {
+                blocks[begin / blockSize] = blockOf(part, follicles, settled, begin, end, measured);
+            });
+        reserve(groom_.strands, settled.nodes.size());
         PartPenetration penetration = {part.name, {}};
         for (const Block& block : blocks) {
             append(groom_.strands, block.strands);
@@ -181,7 +245,14 @@ private:
             found.strands += block.found.strands;
         }
         if (options_.measurePenetration) groom_.report.penetration.push_back(penetration);
-        return std::monostate{};
+    }
+
+    void put(GroomOfPart& groom) {
+        append(groom_.strands, groom.strands);
+        for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+            const Vec3d root = groom.strands.strand(i)[0].as<double>();
+            groom_.innerEnds.push_back(innerEnd(*groom.part, root));
+        }
     }
 
     Status addGroom(const Part& part, const Strands& groom) {
@@ -197,10 +268,19 @@ private:
         holding_->unstable += settled->holding.unstable;
         holding_->unheld += settled->holding.unheld;
         setTime_ += settled->setTime;
-        append(groom_.strands, settled->strands);
-        for (std::size_t i = 0; i < settled->strands.size(); ++i)
-            groom_.innerEnds.push_back(innerEnd(part, settled->strands.strand(i)[0].as<double>()));
+        grooms_.push_back({&part, std::move(settled->strands)});
         return std::monostate{};
+    }
+
+    void measureCrowding() {
+        std::vector<ThickStrand> all;
+        const Strands& strands = groom_.strands;
+        for (std::size_t i = 0; i < strands.size(); ++i) {
+            const double diameter = strands.diameters[strands.offsets[i]];
+            all.push_back({strands.strand(i), std::numbers::pi / 4 * diameter * diameter});
+        }
+        const Density density = densityOf(all, voxelsFor(all), options_.threads);
+        groom_.report.crowding = {double{density.largestPacking()}, density.volume(1e-3F)};
     }
 
     void count(double residual, std::size_t unsettled) {
@@ -220,6 +300,8 @@ private:
     std::size_t done_ = 0;
     double setTime_ = 0;
     std::optional<Holding> holding_;
+    std::vector<GrownPart> grown_;
+    std::vector<GroomOfPart> grooms_;
     SettledGroom groom_;
 };
 
@@ -244,7 +326,9 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
         if (const Status added = settling.add(style.parts[p], (*sources)[p]); !added)
             return added.problems();
     }
-    return settling.take(solidsTime, plantTime, stopwatch.lap());
+    const double settleTime = stopwatch.lap();
+    if (const Status loosened = settling.loosen(); !loosened) return loosened.problems();
+    return settling.take(solidsTime, plantTime, settleTime, stopwatch.lap());
 }
 
 Strands withInnerPieces(const SettledGroom& groom) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/settle_part.h"
 
+#include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
 #include "pipeline/layers.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -24,22 +26,40 @@ constexpr double mostTurn = 2.2;  // rad in one segment
 // Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
 constexpr double lyingPacking = 0.15;
 
+constexpr double everything = std::numeric_limits<double>::infinity();
+
 // How a strand came to rest.
 struct Outcome {
     float residual = 0;
     bool settled = true;
 };
 
-class PartInProgress {
+// Strands that are settled together.
+struct Group {
+    std::vector<std::uint32_t> which;  // of the part's
+    Rods rods;
+    std::vector<float> shares;  // in the forces
+    std::vector<Layer> layers;
+    std::vector<Tie> ties;
+    std::vector<Vec3f> loads;
+    RestState state;
+    std::size_t first = 0;  // node
+};
+
+}  // namespace
+
+class PartHair::Progress {
 public:
-    PartInProgress(const Style& style, const Part& part, const Follicles& follicles,
-                   const PartSettling& how)
+    Progress(const Style& style, const Part& part, const Follicles& follicles,
+             const PartSettling& how)
         : style_(style),
           part_(part),
           follicles_(follicles),
           how_(how),
           sizes_(uncut(part.hair, follicles, how.segments)),
-          outcomes_(follicles.size()) {
+          outcomes_(follicles.size()),
+          groupOf_(follicles.size()),
+          seen_(follicles.size(), everything) {
         settled_.stretches.resize(follicles.size());
         if (style.contact.layers && how.method == Method::Equilibrium) {
             layers_ = layersOf(part.scalp.ellipsoid, follicles, part.hair.diameter,
@@ -47,48 +67,39 @@ public:
         }
     }
 
-    Status settle(std::span<const std::uint32_t> which) {
-        std::vector<std::uint32_t> tied;
-        std::vector<std::uint32_t> loose;
-        std::vector<WayToTie> ways;
-        for (const std::uint32_t i : which) {
-            auto way = wayToTie(part_, follicles_.roots[i], follicles_.angles[i],
-                                follicles_.keys[i], sizes_.lengths[i]);
-            (way ? tied : loose).push_back(i);
-            if (way) ways.push_back(std::move(*way));
+    Status settle() {
+        std::vector<std::uint32_t> which(follicles_.size());
+        std::iota(which.begin(), which.end(), 0U);
+        if (Status settled = settle(which); !settled) return settled;
+        for (const Cut& cut : part_.cuts) {
+            which = this->cut(cut);
+            if (which.empty()) continue;
+            if (Status settled = settle(which); !settled) return settled;
         }
-        if (Status settled = settleAlike(loose, {}); !settled) return settled;
-        return settleAlike(tied, ways);
+        return std::monostate{};
     }
 
-    // Shortens what the cut meets; returns those whose shape it changes.
-    std::vector<std::uint32_t> cut(const Cut& cut) {
-        std::vector<std::uint32_t> changed;
-        std::vector<Vec3d> nodes;
-        for (std::uint32_t i = 0; i < follicles_.size(); ++i) {
-            const double rootShare = share(cut.roots, follicles_.angles[i], cut.falloff.angle);
-            SettledPart::Stretch& stretch = settled_.stretches[i];
-            if (stretch.count == 0 || rootShare <= 0) continue;
-            nodes.clear();
-            for (const Vec3f node : settled_.strand(i))
-                nodes.push_back(node.as<double>());
-            const auto left = lengthLeft(cut, nodes, cutPlace(follicles_.keys[i]), rootShare);
-            if (!left) continue;
-            if (*left <= 0) {
-                stretch.count = 0;
-            } else if (cut.mode == CutMode::Hide) {
-                const std::vector<Vec3d> visible = clipped(nodes, *left);
-                stretch.count = visible.size();
-                settled_.nodes[stretch.first + stretch.count - 1] = visible.back().as<float>();
-            } else {
-                const double segment = grownLength(part_.hair, follicles_.keys[i]) / how_.segments;
-                sizes_.lengths[i] = *left;
-                sizes_.segments[i] =
-                    static_cast<std::size_t>(std::max(1.0, std::ceil(*left / segment - 1e-9)));
-                changed.push_back(i);
-            }
+    Status settleUnder(const Pressure& pressure) {
+        for (Group& group : groups_) {
+            press(pressure, group);
+            if (Status rested = rest(group, true); !rested) return rested;
         }
-        return changed;
+        for (std::uint32_t i = 0; i < follicles_.size(); ++i) {
+            if (settled_.stretches[i].count == 0 || seen_[i] == everything) continue;
+            const Group& group = groups_[groupOf_[i]];
+            const auto place = std::ranges::lower_bound(group.which, i) - group.which.begin();
+            settled_.stretches[i].count = group.rods.segments(static_cast<std::size_t>(place)) + 1;
+            hide(i, nodesOf(i), seen_[i]);
+        }
+        return std::monostate{};
+    }
+
+    std::vector<std::span<const Vec3f>> strands() const {
+        std::vector<std::span<const Vec3f>> all;
+        for (std::size_t i = 0; i < follicles_.size(); ++i) {
+            if (settled_.stretches[i].count > 1) all.push_back(settled_.strand(i));
+        }
+        return all;
     }
 
     SettledPart take() {
@@ -113,48 +124,139 @@ public:
     }
 
 private:
+    Status settle(std::span<const std::uint32_t> which) {
+        std::vector<std::uint32_t> tied;
+        std::vector<std::uint32_t> loose;
+        std::vector<WayToTie> ways;
+        for (const std::uint32_t i : which) {
+            auto way = wayToTie(part_, follicles_.roots[i], follicles_.angles[i],
+                                follicles_.keys[i], sizes_.lengths[i]);
+            (way ? tied : loose).push_back(i);
+            if (way) ways.push_back(std::move(*way));
+        }
+        if (Status settled = settleAlike(loose, {}); !settled) return settled;
+        return settleAlike(tied, ways);
+    }
+
+    // Shortens what the cut meets; returns those whose shape it changes.
+    std::vector<std::uint32_t> cut(const Cut& cut) {
+        std::vector<std::uint32_t> changed;
+        for (std::uint32_t i = 0; i < follicles_.size(); ++i) {
+            const double rootShare = share(cut.roots, follicles_.angles[i], cut.falloff.angle);
+            SettledPart::Stretch& stretch = settled_.stretches[i];
+            if (stretch.count == 0 || rootShare <= 0) continue;
+            const std::vector<Vec3d> nodes = nodesOf(i);
+            const auto left = lengthLeft(cut, nodes, cutPlace(follicles_.keys[i]), rootShare);
+            if (!left) continue;
+            if (*left <= 0) {
+                stretch.count = 0;
+            } else if (cut.mode == CutMode::Hide) {
+                seen_[i] = *left;
+                hide(i, nodes, *left);
+            } else {
+                const double segment = grownLength(part_.hair, follicles_.keys[i]) / how_.segments;
+                sizes_.lengths[i] = *left;
+                sizes_.segments[i] =
+                    static_cast<std::size_t>(std::max(1.0, std::ceil(*left / segment - 1e-9)));
+                changed.push_back(i);
+            }
+        }
+        return changed;
+    }
+
     // Those that no tie holds, or those that go their ways to one.
     Status settleAlike(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
         if (which.empty()) return std::monostate{};
+        Group group;
+        group.which.assign(which.begin(), which.end());
         // The walk knows equal segments only.
         const double grading = how_.method == Method::Cantilever ? 1 : style_.solver.grading;
-        Rods rods = grow(part_, follicles_, sizes_, which, grading);
-        const std::vector<float> shares =
-            rootShares(part_.forces, picked(follicles_.angles, which));
-        RodWorld world;
-        world.gravity = style_.gravity;
-        world.forces = part_.forces;
-        world.rootShares = shares;
-        // Hair that grows from a head below or above the ellipsoid is not kept out of that.
-        if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
-        world.solids = how_.solids;
-        const std::vector<Layer> layers = layers_.empty() ? layers_ : picked(layers_, which);
-        world.layers = layers;
-        const std::vector<Tie> ties = layAlong(ways, style_.gravity, rods);
-        world.ties = ties;
-
-        const std::size_t base = settled_.nodes.size();
-        settled_.nodes.resize(base + rods.nodeCount());
-        for (std::size_t k = 0; k < which.size(); ++k)
-            settled_.stretches[which[k]] = {base + rods.firstNode(k), rods.segments(k) + 1};
-        const auto nodes = std::span(settled_.nodes).subspan(base);
-        if (how_.method == Method::Equilibrium) return rest(which, rods, world, nodes);
-        bendCantilevers(rods, world, nodes, {style_.solver.avoidanceSteps, how_.threads});
+        group.rods = grow(part_, follicles_, sizes_, which, grading);
+        group.shares = rootShares(part_.forces, picked(follicles_.angles, which));
+        if (!layers_.empty()) group.layers = picked(layers_, which);
+        group.ties = layAlong(ways, style_.gravity, group.rods);
+        group.first = settled_.nodes.size();
+        settled_.nodes.resize(group.first + group.rods.nodeCount());
+        for (std::size_t k = 0; k < which.size(); ++k) {
+            groupOf_[which[k]] = groups_.size();
+            settled_.stretches[which[k]] = {group.first + group.rods.firstNode(k),
+                                            group.rods.segments(k) + 1};
+        }
+        if (how_.method == Method::Equilibrium) {
+            if (Status rested = rest(group, false); !rested) return rested;
+        } else {
+            bendCantilevers(group.rods, worldOf(group), nodesOf(group),
+                            {style_.solver.avoidanceSteps, how_.threads});
+        }
+        if (how_.again) groups_.push_back(std::move(group));
         return std::monostate{};
     }
 
-    Status rest(std::span<const std::uint32_t> which, const Rods& rods, const RodWorld& world,
-                std::span<Vec3f> nodes) {
-        if (const double turn = largestTurn(rods); turn > mostTurn) return tooFewSegments(turn);
-        RestState state;
+    RodWorld worldOf(const Group& group) const {
+        RodWorld world;
+        world.gravity = style_.gravity;
+        world.forces = part_.forces;
+        world.rootShares = group.shares;
+        // Hair that grows from a head below or above the ellipsoid is not kept out of that.
+        if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
+        world.solids = how_.solids;
+        world.layers = group.layers;
+        world.ties = group.ties;
+        world.loads = group.loads;
+        return world;
+    }
+
+    std::span<Vec3f> nodesOf(const Group& group) {
+        return std::span(settled_.nodes).subspan(group.first, group.rods.nodeCount());
+    }
+
+    Status rest(Group& group, bool warm) {
+        if (const double turn = largestTurn(group.rods); turn > mostTurn)
+            return tooFewSegments(turn);
         RestOptions options;
+        options.warm = warm;
+        options.refine = !warm;
         options.threads = how_.threads;
-        const RestReport report = settleRods(rods, world, state, nodes, options);
-        for (std::size_t k = 0; k < which.size(); ++k)
-            outcomes_[which[k]] = {report.residuals[k], true};
+        const RestReport report =
+            settleRods(group.rods, worldOf(group), group.state, nodesOf(group), options);
+        const auto current = [&](std::size_t k) {
+            return !warm || &groups_[groupOf_[group.which[k]]] == &group;
+        };
+        for (std::size_t k = 0; k < group.which.size(); ++k)
+            if (current(k)) outcomes_[group.which[k]] = {report.residuals[k], true};
         for (const std::uint32_t k : report.unsettled)
-            outcomes_[which[k]].settled = false;
+            if (current(k)) outcomes_[group.which[k]].settled = false;
         return std::monostate{};
+    }
+
+    // What other hair does to each segment where it is.
+    void press(const Pressure& pressure, Group& group) {
+        const std::span<const Vec3f> nodes = nodesOf(group);
+        group.loads.resize(group.rods.offsets.back());
+        parallelFor(group.rods.size(), 256, how_.threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                for (std::size_t j = 0; j < group.rods.segments(k); ++j) {
+                    const std::size_t node = group.rods.firstNode(k) + j;
+                    group.loads[group.rods.offsets[k] + j] =
+                        pressure.pull(0.5F * (nodes[node] + nodes[node + 1]));
+                }
+            }
+        });
+    }
+
+    std::vector<Vec3d> nodesOf(std::size_t strand) const {
+        std::vector<Vec3d> nodes;
+        for (const Vec3f node : settled_.strand(strand))
+            nodes.push_back(node.as<double>());
+        return nodes;
+    }
+
+    // All but so much of a strand.
+    void hide(std::size_t strand, const std::vector<Vec3d>& nodes, double left) {
+        const std::vector<Vec3d> visible = clipped(nodes, left);
+        SettledPart::Stretch& stretch = settled_.stretches[strand];
+        stretch.count = visible.size();
+        settled_.nodes[stretch.first + stretch.count - 1] = visible.back().as<float>();
     }
 
     Problem tooFewSegments(double turn) const {
@@ -170,27 +272,36 @@ private:
     const Style& style_;
     const Part& part_;
     const Follicles& follicles_;
-    const PartSettling& how_;
+    PartSettling how_;
     std::vector<Layer> layers_;  // of each follicle; none: hair lies on the skin
     Sizes sizes_;
     SettledPart settled_;
     std::vector<Outcome> outcomes_;
+    std::vector<Group> groups_;         // if they are settled again
+    std::vector<std::size_t> groupOf_;  // a strand's latest
+    std::vector<double> seen_;          // how much of a strand hide cuts leave [m]
 };
 
-}  // namespace
+PartHair::PartHair(const Style& style, const Part& part, const Follicles& follicles,
+                   const PartSettling& how)
+    : progress_(std::make_unique<Progress>(style, part, follicles, how)) {}
+PartHair::~PartHair() = default;
+PartHair::PartHair(PartHair&&) noexcept = default;
 
-Result<SettledPart> settlePart(const Style& style, const Part& part, const Follicles& follicles,
-                               const PartSettling& how) {
-    PartInProgress progress(style, part, follicles, how);
-    std::vector<std::uint32_t> which(follicles.size());
-    std::iota(which.begin(), which.end(), 0U);
-    if (const Status settled = progress.settle(which); !settled) return settled.problems();
-    for (const Cut& cut : part.cuts) {
-        which = progress.cut(cut);
-        if (which.empty()) continue;
-        if (const Status settled = progress.settle(which); !settled) return settled.problems();
-    }
-    return progress.take();
+Status PartHair::settle() {
+    return progress_->settle();
+}
+
+std::vector<std::span<const Vec3f>> PartHair::strands() const {
+    return progress_->strands();
+}
+
+Status PartHair::settleUnder(const Pressure& pressure) {
+    return progress_->settleUnder(pressure);
+}
+
+SettledPart PartHair::take() {
+    return progress_->take();
 }
 
 }  // namespace kushi

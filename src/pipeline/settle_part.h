@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "contact/density.h"
+
 #include <kushi/distance_field.h>
 #include <kushi/follicles.h>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -33,16 +36,38 @@ struct PartSettling {
     Method method = Method::Equilibrium;
     int segments = 24;                      ///< of strands that are not cut
     const DistanceField* solids = nullptr;  ///< kept outside of; none if null
+    bool again = false;                     ///< settleUnder() is to follow
     int threads = 0;
 };
 
-/// Settles a part's strands by either method, and cuts them in the order of the cuts: what a hide
-/// cut leaves is all that later ones see; a settle cut shortens the strands it meets, and they are
-/// settled anew. In the end no place of a strand is in the solids, but for the way that its root
-/// needs to come out of them.
-///
-/// Refuses, by equilibrium, segments in which the natural shape turns by more than 2.2 rad.
-Result<SettledPart> settlePart(const Style& style, const Part& part, const Follicles& follicles,
-                               const PartSettling& how);
+/// A part's strands on their way to rest. Style, part and follicles must outlive it.
+class PartHair {
+public:
+    PartHair(const Style& style, const Part& part, const Follicles& follicles,
+             const PartSettling& how);
+    ~PartHair();
+    PartHair(PartHair&&) noexcept;
+    PartHair& operator=(PartHair&&) = delete;
+
+    /// By either method, and cut in the order of the cuts: what a hide cut leaves is all that later
+    /// ones see; a settle cut shortens the strands it meets, and they are settled anew.
+    ///
+    /// Refuses, by equilibrium, segments in which the natural shape turns by more than 2.2 rad.
+    Status settle();
+
+    /// What is left of the strands, root first.
+    std::vector<std::span<const Vec3f>> strands() const;
+
+    /// Anew from where they are, now that other hair presses. By equilibrium only.
+    Status settleUnder(const Pressure& pressure);
+
+    /// At the end. No place of a strand is in the solids, but for the way that its root needs to
+    /// come out of them.
+    SettledPart take();
+
+private:
+    class Progress;
+    std::unique_ptr<Progress> progress_;
+};
 
 }  // namespace kushi

@@ -122,6 +122,10 @@ public:
         if (given && batch_.warm) {
             pass(warmPass, Start::Warm);
             start = Start::Further;
+        } else if (batch_.warm && !batch_.world->loads.empty()) {
+            // Their rest is the one near where they were.
+            pass(warmPass, Start::Warm);
+            start = Start::Further;
         } else if (batch_.warm) {
             settleWarm();
         } else if (!given) {

@@ -114,7 +114,7 @@ RestReport settlePinned(const Rods& rods, const RodWorld& world, RestState& stat
 
         const auto left = static_cast<std::uint32_t>(
             std::ranges::count_if(batch.strands, [&](std::uint32_t i) { return settled[i] == 0; }));
-        if (left == 0) return;
+        if (left == 0 || !options.refine) return;
         refined[begin] = left;
         settleReference(batch);
     });
@@ -171,7 +171,9 @@ RestReport settleRods(const Rods& rods, const RodWorld& world, RestState& state,
     return settleKnots(world.ties, reach, options.warm, [&](std::span<const Tie> ties, bool warm) {
         RodWorld now = world;
         now.ties = ties;
-        return settlePinned(rods, now, state, nodes, {options.tolerance, warm, options.threads});
+        RestOptions how = options;
+        how.warm = warm;
+        return settlePinned(rods, now, state, nodes, how);
     });
 }
 

@@ -62,6 +62,7 @@ public:
                            : 0),
           tieRoom_(batch.world->ties.empty() ? 0 : segments_),
           forceRoom_(batch.world->forces.size()),
+          loadRoom_(batch.world->loads.empty() ? 0 : segments_),
           rowRoom_((3 * (segments_ + 1) + 3) / 4 * 4),
           placeRoom_(width * rowRoom_.items().size()),
           elements_(elementRoom_.items()),
@@ -148,7 +149,7 @@ public:
         if (rods.starts.empty()) lean(tangentOf(clamp));
         takeForces(longest);
 
-        V pull = squareRoot(dot(problem_.gravity, problem_.gravity));
+        V pull = squareRoot(dot(problem_.gravity, problem_.gravity)) + takeLoads();
         for (const BoxForce<V>& force : forces_)
             pull += magnitude(force.strength);
         takeColliders(longest);
@@ -175,6 +176,8 @@ public:
             others = most(others, magnitude(force.strength));
         for (const LaneTie<V>& tie : ties_)
             others = most(others, tie.stiffness);
+        for (const V3<V>& load : problem_.loads)
+            others = most(others, dot(load, load));
         return (others <= V(0)) & (dot(problem_.gravity, problem_.gravity) > V(0));
     }
 
@@ -441,6 +444,20 @@ private:
         }
     }
 
+    // The largest of them.
+    HWY_INLINE V takeLoads() {
+        const std::span<V3<V>> loads = loadRoom_.items();
+        V largest(0);
+        for (std::size_t j = 0; j < loads.size(); ++j) {
+            loads[j] = gatherVector<V>([&](std::size_t l) {
+                return batch_.world->loads[batch_.rods->offsets[batch_.strands[place(l)]] + j];
+            });
+            largest = most(largest, dot(loads[j], loads[j]));
+        }
+        problem_.loads = loads;
+        return squareRoot(largest);
+    }
+
     // How far apart the places lie at which hair may lie on something: the ellipsoid is smooth.
     void takeColliders(V longest) {
         const RodWorld& world = *batch_.world;
@@ -526,6 +543,7 @@ private:
     Room<Contact<V, Element>> contactRoom_;
     Room<LaneTie<V>> tieRoom_;
     Room<BoxForce<V>> forceRoom_;
+    Room<V3<V>> loadRoom_;
     Room<V> rowRoom_;  // three numbers of each node
     Room<float> placeRoom_;
     std::span<typename Element::Segment> elements_;

@@ -34,7 +34,8 @@ struct Problem {
     std::span<const BoxForce<V>> forces;
     Support<V> support;
     std::span<const LaneTie<V>> ties;
-    V momentScale;  // EI/L + w L^2/2 [N m]
+    V momentScale;                      // EI/L + w L^2/2 [N m]
+    std::span<const V3<V>> loads = {};  // of each segment besides gravity, likewise; or none
 };
 
 // What a sweep keeps of a node.
@@ -194,7 +195,7 @@ private:
         touched_ = V(1) < V(0);
         if (contacts_.empty()) {
             for (std::size_t j = 1; j < nodes_.size(); ++j)
-                nodes_[j].load = (share * problem_.elements[j - 1].weight) * problem_.gravity;
+                nodes_[j].load = (share * problem_.elements[j - 1].weight) * constantPull(j);
             return;
         }
         place();
@@ -213,10 +214,14 @@ private:
             pullOn(j, share);
     }
 
+    HWY_INLINE V3<V> constantPull(std::size_t j) const {
+        return problem_.loads.empty() ? problem_.gravity : problem_.gravity + problem_.loads[j - 1];
+    }
+
     HWY_INLINE void pullOn(std::size_t j, V share) {
         Row& node = nodes_[j];
         const V weight = share * problem_.elements[j - 1].weight;
-        Pull<V> pull{problem_.gravity, diagonal<3>(V(0)), V(1) < V(0)};
+        Pull<V> pull{constantPull(j), diagonal<3>(V(0)), V(1) < V(0)};
         const V3<V> middle = V(0.5F) * (nodes_[j - 1].position + node.position);
         for (const BoxForce<V>& force : problem_.forces)
             addForce(force, middle, pull);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/crowd.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+
+namespace kushi {
+
+namespace {
+
+constexpr float voxelSize = 0.005F;  // m
+constexpr std::size_t shares = 4;    // grids that are filled side by side
+
+}  // namespace
+
+Voxels voxelsFor(std::span<const ThickStrand> strands) {
+    std::vector<Vec3f> places;
+    for (const ThickStrand& strand : strands)
+        places.insert(places.end(), strand.nodes.begin(), strand.nodes.end());
+    return voxelsAround(places, voxelSize);
+}
+
+Density densityOf(std::span<const ThickStrand> strands, const Voxels& voxels, int threads) {
+    std::vector<Density> parts(shares, Density(voxels));
+    const std::size_t each = (strands.size() + shares - 1) / shares;
+    parallelFor(shares, 1, threads, [&](std::size_t begin, std::size_t /*end*/) {
+        const std::size_t first = std::min(begin * each, strands.size());
+        for (const auto& [nodes, section] :
+             strands.subspan(first, std::min(each, strands.size() - first)))
+            parts[begin].add(nodes, section);
+    });
+    for (std::size_t i = 1; i < shares; ++i)
+        parts[0].add(parts[i]);
+    return std::move(parts[0]);
+}
+
+}  // namespace kushi

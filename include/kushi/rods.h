@@ -84,7 +84,11 @@ struct RodWorld {
     std::span<const float> rootShares = {};  ///< of each strand in each force, strand by strand
     const Ellipsoid* obstacle = nullptr;     ///< kept outside of; none if null
     const DistanceField* solids = nullptr;   ///< kept outside of as well; none if null
-    std::span<const Layer> layers = {};      ///< of each strand; empty: all lie on the skin
+    /// Coulomb's coefficients, of the obstacle and of each of the solids: hair stays where it came
+    /// to lie while what pulls it along the surface is less than so much of what presses it on.
+    float obstacleFriction = 0;
+    std::span<const float> solidFrictions = {};  ///< empty: none
+    std::span<const Layer> layers = {};          ///< of each strand; empty: all lie on the skin
     /// Of each segment of all rods, at its middle, times its weight: what stays the same wherever
     /// the segment goes, as the pressure of other hair in one round of settling. Empty: none.
     std::span<const Vec3f> loads = {};

@@ -3,6 +3,7 @@
 
 #include <kushi/distance_field.h>
 
+#include <algorithm>
 #include <array>
 
 namespace kushi {
@@ -34,6 +35,18 @@ inline float roughDistance(const DistanceField& field, Vec3f place) {
     const std::size_t at =
         field.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
     return static_cast<float>(field.units[at]) * field.unit();
+}
+
+/// Which solid is nearest, by the sample next to a place; the first outside of the grid.
+inline std::size_t nearestSolid(const DistanceField& field, Vec3f place) {
+    if (field.nearest.empty()) return 0;
+    const auto at = [&](float way, std::size_t axis) {
+        const float last = static_cast<float>(field.size[axis] - 1);
+        // In this order, what is no number becomes 0.
+        return static_cast<int>(std::min(std::max(0.0F, way / field.spacing + 0.5F), last));
+    };
+    const Vec3f way = place - field.origin;
+    return field.nearest[field.index(at(way.x, 0), at(way.y, 1), at(way.z, 2))];
 }
 
 }  // namespace kushi

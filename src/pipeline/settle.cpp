@@ -127,7 +127,13 @@ public:
           options_(options),
           method_(method),
           solids_(solids.empty() ? nullptr : &solids),
-          all_(static_cast<double>(all)) {}
+          all_(static_cast<double>(all)) {
+        // In the order of solidsOf().
+        if (style.headCollides && style.headMesh != "none")
+            frictions_.push_back(static_cast<float>(style.headFriction));
+        for (const Collider& collider : style.colliders)
+            frictions_.push_back(static_cast<float>(collider.friction));
+    }
 
     Status add(const Part& part, const PartSource& source) {
         Status added = source.groom ? addGroom(part, *source.groom) : grow(part, source.follicles);
@@ -194,6 +200,8 @@ private:
         how.method = method_;
         how.segments = options_.segments.value_or(style_.solver.segments);
         how.solids = solids_;
+        how.frictions = frictions_;
+        how.headFriction = static_cast<float>(style_.headFriction);
         how.again = style_.contact.packing && method_ == Method::Equilibrium;
         how.threads = options_.threads;
         grown_.push_back({&part, &follicles, PartHair(style_, part, follicles, how)});
@@ -300,6 +308,7 @@ private:
     std::size_t done_ = 0;
     double setTime_ = 0;
     std::optional<Holding> holding_;
+    std::vector<float> frictions_;  // of the solids
     std::vector<GrownPart> grown_;
     std::vector<GroomOfPart> grooms_;
     SettledGroom groom_;

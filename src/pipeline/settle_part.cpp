@@ -200,6 +200,8 @@ private:
         // Hair that grows from a head below or above the ellipsoid is not kept out of that.
         if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
         world.solids = how_.solids;
+        world.obstacleFriction = how_.headFriction;
+        world.solidFrictions = how_.frictions;
         world.layers = group.layers;
         world.ties = group.ties;
         world.loads = group.loads;

@@ -36,6 +36,8 @@ struct PartSettling {
     Method method = Method::Equilibrium;
     int segments = 24;                      ///< of strands that are not cut
     const DistanceField* solids = nullptr;  ///< kept outside of; none if null
+    std::span<const float> frictions = {};  ///< of the solids
+    float headFriction = 0;                 ///< of the ellipsoid
     bool again = false;                     ///< settleUnder() is to follow
     int threads = 0;
 };

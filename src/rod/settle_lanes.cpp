@@ -39,9 +39,11 @@ void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> 
         Hanging<Lanes> hanging(block.problem(), nodes);
         hanging.run(tolerance, 8, at);
         hanging.place(block.nodes());
-        const LaneMask hangs = at.settled & able;
+        LaneMask hangs = at.settled & able;
         at.settled = hangs & block.clear();
         if (any(at.settled)) block.write(at, at.settled);
+        // Friction holds hair where it first comes to lie.
+        if (block.problem().support.frictions != nullptr) hangs = at.settled;
         if (any(hangs & !at.settled)) block.lay(hangs & !at.settled);
         if (any(hangs)) block.store(hangs);
         storeMask(at.settled, settled);

@@ -480,6 +480,11 @@ private:
             reach = gather<V>(
                 [&](std::size_t l) { return world.layers[batch_.strands[place(l)]].reach; });
         }
+        const bool rough = world.obstacleFriction > 0 ||
+                           std::ranges::any_of(world.solidFrictions, [](float f) { return f > 0; });
+        support.frictions = rough ? &world : nullptr;
+        for (Contact<V, Element>& contact : contacts_)
+            contact.held = V(0);
         contacts_[0].layer = V(0);
         for (std::size_t j = 1; j <= segments_; ++j) {
             walked += elements_[j - 1].length;

@@ -10,6 +10,8 @@
 
 #include "rod/kernel/field-inl.h"
 
+#include <kushi/rods.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
 
@@ -116,6 +118,7 @@ struct Support {
     V skin;          // [m]
     V stiffness;     // [N/m]
     int places = 1;  // of a segment at which it may lie on something; the last is its end
+    const RodWorld* frictions = nullptr;  // null: there is none
 
     HWY_INLINE bool any() const { return ellipsoid != nullptr || !field.empty(); }
 
@@ -132,6 +135,27 @@ struct Support {
         nearest.distance = select(nearer, other.distance, nearest.distance);
         nearest.normal = select(nearer, other.normal, nearest.normal);
         return nearest;
+    }
+
+    // Coulomb's coefficient of the nearest surface.
+    HWY_INLINE V friction(const V3<V>& at) const {
+        alignas(64) ScalarOf<V> where[3][LaneTraits<V>::count];
+        alignas(64) ScalarOf<V> solid[LaneTraits<V>::count];
+        for (int axis = 0; axis < 3; ++axis)
+            storeLanes(at[axis], where[axis]);
+        for (std::size_t lane = 0; lane < LaneTraits<V>::count; ++lane) {
+            const Vec3f place = {static_cast<float>(where[0][lane]),
+                                 static_cast<float>(where[1][lane]),
+                                 static_cast<float>(where[2][lane])};
+            solid[lane] = frictions->solidFrictions.empty()
+                              ? 0
+                              : frictions->solidFrictions[nearestSolid(*frictions->solids, place)];
+        }
+        const V ofSolid = loadLanes(solid, V());
+        const V ofEllipsoid(frictions->obstacleFriction);
+        if (ellipsoid == nullptr) return ofSolid;
+        if (field.empty()) return ofEllipsoid;
+        return select(ellipsoid->distance(at) < field.distance(at, skin), ofEllipsoid, ofSolid);
     }
 
     // To the nearest surface; farther off than `near` it may be a little too small.

@@ -65,6 +65,8 @@ struct Contact {
     // times the square of it.
     Matrix<V, 3, 3> k0, k1, k2;
     V distance;       // to the nearest collider
+    V3<V> anchor;     // where friction holds the node
+    V held;           // 1 where it does, else 0
     bool stiff;       // whether k is other than 0 in any lane
     bool stiffInner;  // or k0
     Matrix<V, m, 3> byPlace;
@@ -260,6 +262,40 @@ private:
             contact.k = contact.k + on.k;
             contact.stiff = true;
         });
+        touchBetween(j);
+        if (problem_.support.frictions != nullptr) rub(j);
+    }
+
+    // Friction holds a node by a spring along the surface to where it came to lie. As far as that
+    // would pull by more than Coulomb's share of the push, the node slides and takes its place
+    // along.
+    HWY_INLINE void rub(std::size_t j) {
+        Touch& contact = contacts_[j];
+        const V3<V> at = nodes_[j].position;
+        const V3<V> push = contact.push + contact.inner;
+        const V size = squareRoot(dot(push, push));
+        const MaskOf<V> lies = size > V(0);
+        contact.anchor = select<V, 3>(lies & (contact.held > V(0)), contact.anchor, at);
+        contact.held = select(lies, V(1), V(0));
+        if (!any(lies)) return;
+        const V stiffness = problem_.support.stiffness;
+        const V3<V> normal = reciprocal(most(size, V(1e-30F))) * push;
+        const V3<V> way = at - contact.anchor;
+        const V3<V> along = way - dot(way, normal) * normal;
+        const V slid = squareRoot(dot(along, along));
+        const V limit = problem_.support.friction(at) * size * reciprocal(stiffness);
+        const MaskOf<V> sticks = slid <= limit;
+        const V share = select(sticks, V(1), limit * reciprocal(most(slid, V(1e-12F))));
+        const V3<V> pulled = share * along;
+        contact.anchor = at - pulled;
+        contact.push = contact.push - select(lies, stiffness, V(0)) * pulled;
+        contact.k = contact.k + select(lies & sticks, stiffness, V(0)) *
+                                    (diagonal<3>(V(1)) - outer(normal, normal));
+    }
+
+    HWY_INLINE void touchBetween(std::size_t j) {
+        const V skin = problem_.support.skin;
+        Touch& contact = contacts_[j];
         const int places = problem_.support.places;
         if (places == 1) return;
         const V far = V(0.5F) * problem_.elements[j - 1].length + contact.layer + skin;

@@ -39,17 +39,21 @@ double toBall(Vec3d at) {
 
 Body floorBody() {
     const Distance distance = [](Vec3d at) { return at.y; };
-    return {"floor", distance, rest::sampled({-1, -0.05, -1}, {1, 0.02, 1}, 0.005, distance), {0, -0.09, 0}};
+    return {"floor",
+            distance,
+            rest::sampled({-1, -0.05, -1}, {1, 0.02, 1}, 0.005, distance),
+            {0, -0.09, 0}};
 }
 Body ball() {
-    return {"ball", toBall, rest::sampled({-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}, h, toBall), {}};
+    return {
+        "ball", toBall, rest::sampled({-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}, h, toBall), {}};
 }
 Body pole() {
     const Distance distance = [](Vec3d at) {
         return rest::capsuleDistance(at, {0, 0, 0}, {0.02, -0.3, 0.01}, 0.07);
     };
-    return {"pole", distance,
-            rest::sampled({-0.1, -0.4, -0.1}, {0.12, 0.1, 0.12}, h, distance), {}};
+    return {
+        "pole", distance, rest::sampled({-0.1, -0.4, -0.1}, {0.12, 0.1, 0.12}, h, distance), {}};
 }
 Body bust() {
     return {"bust", rest::bustDistance, rest::bust(), {}};
@@ -63,7 +67,8 @@ const std::vector<Body>& bodies() {
 Vec3d normalOf(const Distance& distance, Vec3d at) {
     constexpr double step = 1e-6;
     const Vec3d x = {step, 0, 0}, y = {0, step, 0}, z = {0, 0, step};
-    return normalized(Vec3d{distance(at + x) - distance(at - x), distance(at + y) - distance(at - y),
+    return normalized(Vec3d{distance(at + x) - distance(at - x),
+                            distance(at + y) - distance(at - y),
                             distance(at + z) - distance(at - z)});
 }
 
@@ -76,7 +81,7 @@ void addHair(Rods& rods, Vec3d root, Vec3d direction, double length, int segment
     rods.weights.back() = 5.72e-5F;
 }
 
-// Hair that grows from the top of a body, of 10 to 90 cm.
+// Hair that grows from the top of a body, straight of 10 to 90 cm and curls of 10 to 50.
 Rods hairOn(const Body& body, int count, Vec3d curvature) {
     std::mt19937_64 engine(11);
     const auto draw = [&](double low, double high) {
@@ -89,9 +94,11 @@ Rods hairOn(const Body& body, int count, Vec3d curvature) {
         Vec3d root = body.middle + 0.09 * up;
         for (int step = 0; step < 30; ++step)
             root = root - body.distance(root) * normalOf(body.distance, root);
-        const double lengths[] = {0.1, 0.25, 0.5, 0.9};
-        const double length = lengths[i % 4] * draw(0.9, 1);
-        addHair(rods, root, normalOf(body.distance, root), length, 40);
+        constexpr double lengths[] = {0.1, 0.25, 0.5, 0.9};
+        constexpr int segments[] = {20, 30, 50, 50};
+        const int which = i % (length(curvature) > 0 ? 3 : 4);
+        addHair(rods, root, normalOf(body.distance, root), lengths[which] * draw(0.9, 1),
+                segments[which]);
     }
     if (length(curvature) > 0) rest::curl(rods, curvature);
     return rods;
@@ -137,8 +144,8 @@ TEST(RestField, NoPlaceLiesInASolid) {
                     deepest = std::min(deepest, nearest(body.distance, nodes));
                     here += nearest(body.distance, nodes.last(nodes.size() / 2)) < contactSkin;
                 }
-                std::printf("%s curl %.0f g (%.0f %.0f %.0f): unsettled %d deepest %.4f mm lying %d\n", body.name, length(curvature), way.x, way.y, way.z, listed(settled), 1e3 * deepest, here);
-                EXPECT_GT(deepest, -5e-5) << body.name << ' ' << length(curvature) << ' ' << way.x << ' ' << way.y;
+                EXPECT_GT(deepest, 0)
+                    << body.name << ' ' << length(curvature) << ' ' << way.x << ' ' << way.y;
                 lying += here;
                 unsettled += listed(settled);
                 all += static_cast<int>(rods.size());
@@ -180,12 +187,11 @@ private:
 };
 
 // What a strand costs that lies on a body: bent, lifted, and pressed on it at `places` places of a
-// segment by springs that begin two millimetres off and over the layer.
+// segment by springs that begin two millimetres off.
 struct Cost {
     const Rods& rods;
     const Body& body;
     Smooth distance{body.field};
-    Layer layer = {};
 
     double stiffness(const Strand& strand) const {
         const double length = rods.lengths[strand.index];
@@ -197,73 +203,76 @@ struct Cost {
         return static_cast<int>(std::ceil(strand.segment(0) / 0.011 - 1e-4));
     }
 
-    double operator()(const Strand& strand, int& touching) const {
+    struct Sum {
+        double energy = 0;
+        int touching = 0;
+    };
+
+    Sum of(const Strand& strand) const {
         const std::vector<Vec3d> at = strand.places();
-        double sum = strand.energy();
+        Sum sum = {strand.energy(), 0};
         const int each = places(strand);
-        double walked = 0;
-        touching = 0;
         for (std::size_t j = 0; j < strand.size(); ++j) {
             for (int k = 1; k <= each; ++k) {
                 const double share = double(k) / each;
-                const double skin =
-                    contactSkin + double{layer.slope} * std::min(walked + share * strand.segment(j),
-                                                                 double{layer.reach});
                 const Vec3d place = (1 - share) * at[j] + share * at[j + 1];
-                if (body.distance(place) > skin + h) continue;
-                const double lack = skin - distance(place);
+                if (body.distance(place) > contactSkin + h) continue;
+                const double lack = contactSkin - distance(place);
                 if (lack <= 0) continue;
-                ++touching;
-                sum += 0.5 * stiffness(strand) * lack * lack;
+                ++sum.touching;
+                sum.energy += 0.5 * stiffness(strand) * lack * lack;
             }
-            walked += strand.segment(j);
         }
         return sum;
+    }
+
+    // The largest moment that is left at a node, over EI/L + w L^2/2; by central differences.
+    double imbalance(Strand& strand) const {
+        const double length = rods.lengths[strand.index];
+        const double scale = rods.bending[strand.index] / length +
+                             0.5 * double{rods.weights[strand.index]} * length * length;
+        constexpr double step = 1e-6;
+        double most = 0;
+        for (rest::Turn& frame : std::span(strand.frames).subspan(1)) {
+            const rest::Turn before = frame;
+            for (const Vec3d axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+                frame = before * rest::turnBy(step * axis);
+                const double more = of(strand).energy;
+                frame = before * rest::turnBy(-step * axis);
+                const double less = of(strand).energy;
+                frame = before;
+                most = std::max(most, std::abs(more - less) / (2 * step * scale));
+            }
+        }
+        return most;
     }
 };
 
 // Moments are the energy's derivatives: none is left over more than the residual says, but for what
 // single precision moves the springs by.
 TEST(RestField, MomentsBalanceWithWhatItLiesOn) {
+    int touching = 0, all = 0, unsettled = 0;
     for (const Body& body : bodies()) {
         for (const Vec3d curvature : {Vec3d{}, Vec3d{20, 0, 10}}) {
-            // Of a segment or two with places between, which a floor's is not.
             const Rods rods = hairOn(body, 16, curvature);
             RodWorld world;
             world.solids = &body.field;
             const Settled settled = rest::settleBy(settleReference, rods, world, 1e-7);
             const Cost cost{rods, body};
-            int balanced = 0, touched = 0;
-            double worst = 0;
             for (std::size_t i = 0; i < rods.size(); ++i) {
-                if (settled.states[i] == 0) continue;
-                Strand strand = rest::strandOf(rods, i, settled.turnsOf(i));
-                int touching = 0;
-                cost(strand, touching);
-                touched += touching > 1 ? 1 : 0;
-                const double length = rods.lengths[i];
-                const double scale = rods.bending[i] / length + 0.5 * double{rods.weights[i]} * length * length;
-                double residual = 0;
-                constexpr double step = 1e-6;
-                for (std::size_t node = 1; node < strand.frames.size(); ++node) {
-                    for (const Vec3d axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
-                        const rest::Turn before = strand.frames[node];
-                        int none = 0;
-                        strand.frames[node] = before * rest::turnBy(step * axis);
-                        const double more = cost(strand, none);
-                        strand.frames[node] = before * rest::turnBy(-step * axis);
-                        const double less = cost(strand, none);
-                        strand.frames[node] = before;
-                        residual = std::max(residual, std::abs(more - less) / (2 * step * scale));
-                    }
+                ++all;
+                if (settled.states[i] == 0) {
+                    ++unsettled;
+                    continue;
                 }
-                std::printf("%s %zu L %.2f touching %d residual %.2e reported %.2e\n", body.name, i, length, touching, residual, settled.residuals[i]);
-                worst = std::max(worst, residual);
-                balanced += residual < 3e-4 ? 1 : 0;
+                Strand strand = rest::strandOf(rods, i, settled.turnsOf(i));
+                touching += cost.of(strand).touching > 1 ? 1 : 0;
+                EXPECT_LT(cost.imbalance(strand), 3e-4) << body.name << ' ' << i;
             }
-            std::printf("%s %f: touched %d balanced %d worst %.2e\n", body.name, kushi::length(curvature), touched, balanced, worst);
         }
     }
+    EXPECT_LE(unsettled, all / 5);
+    EXPECT_GT(touching, 20);
 }
 
 // A heavy strand, long against what bends it: all but its beginning lies flat, each node on a
@@ -300,8 +309,8 @@ TEST(RestField, AHeavyStrandLiesAsHighAsItsWeightHasIt) {
     const Settled settled = rest::settle(rods, world);
     ASSERT_EQ(listed(settled), 0);
     const double sunk = double{rods.weights[0]} * 0.01 / springOf(rods);
-    for (std::size_t j = 10; j < 18; ++j)
-        EXPECT_NEAR((contactSkin - double{settled.nodes[j].y}) / sunk, 1, 0.02) << j;
+    for (std::size_t j = 13; j < 17; ++j)
+        EXPECT_NEAR((contactSkin - double{settled.nodes[j].y}) / sunk, 1, 0.03) << j;
 }
 
 // What lies on layers lies so much higher, more so the farther from its root.
@@ -342,14 +351,16 @@ TEST(RestField, OfABallIsThatOnTheEllipsoid) {
     for (std::size_t i = 0; i < rods.size(); ++i)
         gaps.push_back(rest::gap(rods, i, a.nodes, b.nodes));
     std::sort(gaps.begin(), gaps.end());
-    std::printf("gaps %.2e %.2e %.2e %.2e\n", gaps[gaps.size() / 2], gaps[gaps.size() * 9 / 10], gaps[gaps.size() * 99 / 100], gaps.back());
-    EXPECT_LT(gaps[gaps.size() / 2], 1e-4);
-    EXPECT_LT(gaps[gaps.size() * 9 / 10], 1e-3);
+    // Measured 0, 24 um and 0.6 mm; the bias is 17 um.
+    EXPECT_LT(gaps[gaps.size() / 2], 2e-5);
+    EXPECT_LT(gaps[gaps.size() * 9 / 10], 1e-4);
+    EXPECT_LT(gaps.back(), 2e-3);
 }
 
+// (Not on the floor, where nothing holds hair that grows straight up from turning about its root.)
 TEST(RestField, WarmEndsWhereColdDoes) {
     int others = 0, all = 0;
-    for (const Body& body : bodies()) {
+    for (const Body& body : std::span(bodies()).subspan(1)) {
         for (const Vec3d curvature : {Vec3d{}, Vec3d{60, 0, 40}}) {
             const Rods rods = hairOn(body, hairs, curvature);
             RodWorld world;
@@ -362,15 +373,13 @@ TEST(RestField, WarmEndsWhereColdDoes) {
             settleRods(rods, world, state, cold);
             settleRods(rods, heavier, state, warm, {1e-5, true, 0});
             settleRods(rods, world, state, warm, {1e-5, true, 0});
-            int here = 0;
             for (std::size_t i = 0; i < rods.size(); ++i)
-                here += rest::gap(rods, i, cold, warm) > 1e-2 * rods.lengths[i] ? 1 : 0;
-            std::printf("warm %s %.0f: others %d\n", body.name, length(curvature), here);
-            others += here;
+                others += rest::gap(rods, i, cold, warm) > 1e-2 * rods.lengths[i] ? 1 : 0;
             all += static_cast<int>(rods.size());
         }
     }
-    EXPECT_LE(others, all / 50);
+    // Curls that hook on to the shoulders may end elsewhere.
+    EXPECT_LE(others, all / 100);
 }
 
 // Pressed between plates that leave 6 mm, with two skins of 2 mm in them; and 3 mm, with less than
@@ -378,9 +387,10 @@ TEST(RestField, WarmEndsWhereColdDoes) {
 TEST(RestField, HairBetweenTwoPlatesSettlesBetweenThem) {
     for (const double apart : {0.006, 0.003}) {
         const auto plates = [apart](Vec3d at) { return 0.5 * apart - std::abs(at.y); };
-        const DistanceField field =
-            rest::sampled({-0.3, -0.02, -0.3}, {0.3, 0.02, 0.3}, h, plates);
-        for (const Vec3d curvature : {Vec3d{}, Vec3d{60, 0, 40}}) {
+        const DistanceField field = rest::sampled({-0.3, -0.02, -0.3}, {0.3, 0.02, 0.3}, h, plates);
+        // Curls of 4 cm, which the plates press flat, are no matter between narrow ones.
+        for (const Vec3d curvature : {Vec3d{}, Vec3d{18, 0, 12}}) {
+            if (length(curvature) > 0 && apart < 0.005) continue;
             Rods rods;
             for (int i = 0; i < hairs / 2; ++i) {
                 const double turn = radians(i * 137.5);
@@ -398,9 +408,9 @@ TEST(RestField, HairBetweenTwoPlatesSettlesBetweenThem) {
                     if (settled.states[i] == 0) continue;
                     least = std::min(least, nearest(plates, strandOf(rods, settled.nodes, i)));
                 }
-                std::printf("plates %.0f curl %.0f way %.0f %.0f %.0f unsettled %d of %zu least %.3f mm\n", apart*1e3, length(curvature), way.x, way.y, way.z, listed(settled), rods.size(), least*1e3);
-                EXPECT_LE(listed(settled), 1);
-                EXPECT_GT(least, -5e-5);
+                // Flattened curls slide, and some long: not all of them find their rest.
+                EXPECT_LE(listed(settled), length(curvature) > 0 ? hairs / 10 : 0);
+                EXPECT_GT(least, 0);
             }
         }
     }
@@ -439,8 +449,8 @@ TEST_F(RestFieldLanes, AgreeWithTheReferenceOnEveryTarget) {
                 gaps.push_back(rest::gap(rods, i, exact.nodes, lanes.nodes) / rods.lengths[i]);
             }
             std::sort(gaps.begin(), gaps.end());
-            std::printf("%s both %d of %zu gaps %.2e %.2e %.2e\n", hwy::TargetName(target), both, rods.size(), gaps[gaps.size() / 2], gaps[gaps.size() * 9 / 10], gaps.back());
-            EXPECT_GT(both, hairs / 2 * 8 / 10) << hwy::TargetName(target);
+            EXPECT_GT(both, hairs / 2 * (length(curvature) > 0 ? 7 : 10) / 10 - 1)
+                << hwy::TargetName(target);
             EXPECT_LT(gaps[gaps.size() / 2], 1e-4) << hwy::TargetName(target);
             EXPECT_LT(gaps[gaps.size() * 9 / 10], 1e-3) << hwy::TargetName(target);
         }

@@ -97,11 +97,7 @@ public:
             }
             if (batch_.walk->solids != nullptr) {
                 // What it was bent by: the difference of the directions would be mostly rounding.
-                const LaneMask bends =
-                    dot(across, across) > Lanes(parallel) * dot(load, load);
-                const V3<Lanes> none = {Lanes(0), Lanes(0), Lanes(0)};
-                const V3<Lanes> bend = select<Lanes>(
-                    avoided, along - before, select<Lanes>(bends, scale * across, none));
+                const V3<Lanes> bend = select<Lanes>(avoided, along - before, scale * across);
                 const V3<Lanes> turned = outOfSolids(root + at, bend, along, d, left);
                 if (any(dot(turned - along, turned - along) > Lanes(0))) {
                     along = turned;

@@ -43,7 +43,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         EXPECT_LE(groom->report.unsettled, 2U) << entry.path();
         ++styles;
     }
-    EXPECT_EQ(styles, 15);
+    EXPECT_EQ(styles, 18);
 }
 
 // The first style that a stranger makes.

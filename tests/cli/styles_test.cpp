@@ -31,6 +31,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
     int styles = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(KUSHI_SOURCE_DIR) + "/styles")) {
+        if (entry.path().extension() != ".toml") continue;
         const Result<Style> style = readStyle(entry.path().string());
         ASSERT_TRUE(style.ok()) << entry.path();
         EXPECT_FALSE(style->name.empty()) << entry.path();
@@ -43,7 +44,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         EXPECT_LE(groom->report.unsettled, 2U) << entry.path();
         ++styles;
     }
-    EXPECT_EQ(styles, 15);
+    EXPECT_EQ(styles, 18);
 }
 
 // The first style that a stranger makes.
@@ -158,7 +159,7 @@ TEST_P(WornStyles, CoverTheScalp) {
     }
 }
 
-// Hair knows the ellipsoid only, which holds cranium, face and ears but neither neck nor bust.
+// But for the segment that grows out of the skin.
 TEST_P(WornStyles, DoNotPassThroughTheHead) {
     static const Mesh mesh = mannequin();
     static const Crossings body(mesh);
@@ -175,8 +176,9 @@ TEST_P(WornStyles, DoNotPassThroughTheHead) {
     int throughHead = 0;
     int throughBody = 0;
     for (std::size_t i = 0; i < groom.strands.size(); ++i) {
-        throughHead += head.crosses(groom.strands.strand(i)) ? 1 : 0;
-        throughBody += body.crosses(groom.strands.strand(i)) ? 1 : 0;
+        const auto nodes = groom.strands.strand(i).subspan(1);
+        throughHead += head.crosses(nodes) ? 1 : 0;
+        throughBody += body.crosses(nodes) ? 1 : 0;
     }
     std::printf("%s: %.2f %% through the head, %.2f %% through head, neck or bust\n", GetParam(),
                 0.025 * throughHead, 0.025 * throughBody);
@@ -279,6 +281,61 @@ TEST(ShippedStyles, ShortHairIsShorterBelow) {
     EXPECT_LT(meanLength(-0.1F, -0.03F), 0.02);
     EXPECT_LT(meanLength(-0.03F, 0.03F), meanLength(0.03F, 0.08F) - 0.01);
     EXPECT_GT(meanLength(0.08F, 0.2F), 0.055);
+}
+
+// Long hair parts at the shoulders: some lies on the chest, some down the back, none across them.
+TEST(ShippedStyles, LongHairFallsBeforeAndBehindTheShoulders) {
+    const SettledGroom groom = settled("over-shoulders", 4000);
+    const Mesh head = mannequin();
+    const Crossings body(head);
+    std::size_t before = 0;
+    std::size_t behind = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        EXPECT_FALSE(body.crosses(nodes)) << i;
+        const Vec3f tip = nodes.back();
+        EXPECT_LT(std::abs(tip.z), 0.13F) << i;
+        if (tip.y > *landmarkHeight("shoulders")) continue;
+        before += tip.x > -0.02F ? 1 : 0;
+        behind += tip.x < -0.08F ? 1 : 0;
+    }
+    EXPECT_GT(before, groom.strands.size() / 10);
+    EXPECT_GT(behind, groom.strands.size() / 3);
+}
+
+// Strands with a node beside the cheek and the ear of one side: +1 the right, -1 the left.
+std::size_t strandsBesideTheCheek(const SettledGroom& groom, float side) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        count += std::ranges::any_of(groom.strands.strand(i), [&](Vec3f node) {
+            return node.x > -0.01F && node.x < 0.06F && node.y < -0.01F && node.y > -0.06F &&
+                   side * node.z > 0.03F;
+        });
+    }
+    return count;
+}
+
+TEST(ShippedStyles, HairIsTuckedBehindTheRightEarAlone) {
+    const SettledGroom groom = settled("behind-ear", 4000);
+    EXPECT_LT(strandsBesideTheCheek(groom, 1), groom.strands.size() / 200);
+    EXPECT_GT(strandsBesideTheCheek(groom, -1), groom.strands.size() / 20);
+}
+
+// No strand passes through the hat, and all come out below it.
+TEST(ShippedStyles, HairComesOutUnderTheHat) {
+    const Result<Style> style = readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/hat.toml");
+    ASSERT_TRUE(style.ok());
+    const Result<std::vector<Mesh>> worn = collidersOf(*style);
+    ASSERT_TRUE(worn.ok());
+    ASSERT_EQ(worn->size(), 1U);
+    const Crossings hat(worn->front());
+    const SettledGroom groom = settled("hat", 4000);
+    EXPECT_LE(groom.report.pushedOut, 4U);
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+        const auto nodes = groom.strands.strand(i);
+        EXPECT_FALSE(hat.crosses(nodes)) << i;
+        EXPECT_LT(nodes.back().y, -0.09F) << i;
+    }
 }
 
 }  // namespace

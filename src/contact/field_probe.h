@@ -8,17 +8,22 @@
 namespace kushi {
 
 /// A distance field at a place, smoothed so that its gradient has no jumps.
-struct FieldProbe {
-    float distance = 0;               ///< m, < 0 inside
-    std::array<float, 3> gradient{};  ///< nearly unit near a surface
-    std::array<float, 6> hessian{};   ///< xx, yy, zz, xy, yz, zx [1/m]
+template <class T>
+struct BasicFieldProbe {
+    T distance = 0;               ///< m, < 0 inside
+    std::array<T, 3> gradient{};  ///< nearly unit near a surface
+    std::array<T, 6> hessian{};   ///< xx, yy, zz, xy, yz, zx [1/m]
 };
+using FieldProbe = BasicFieldProbe<float>;
 
 /// The samples around a place, weighted by quadratic B-splines. They smooth: a surface of curvature
 /// k (1/m, the sum of both) lies k spacing^2 / 8 deeper than it is.
 ///
 /// place  at least two spacings from the border of the grid; nearer, the field is 1 m away
 FieldProbe probe(const DistanceField& field, Vec3f place);
+
+/// The same in double: floats round a place by what a stiff spring feels.
+BasicFieldProbe<double> probe(const DistanceField& field, Vec3d place);
 
 /// Distance at the sample next to a place, about a spacing from what it is at the place; 1 m
 /// outside of the grid.

@@ -36,7 +36,7 @@ public:
             const double here = distance(from + (size > 0 ? along / size : 0) * way);
             const double lack = wanted(walked + along) - here;
             if (lack > worst.lack) worst = {lack, size > 0 ? along / size : 1};
-            if (along >= size) return worst;
+            if (!(along < size)) return worst;
             // Distances grow by no more than the way; what is wanted, by less.
             along = std::min(size, along + std::max(shortestStep, -lack / (1 + rise)));
         }
@@ -130,16 +130,17 @@ bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes)
     Vec3d moved;  // of all that lies beyond
     for (std::size_t j = 1; j < nodes.size(); ++j) {
         const Vec3d from = nodes[j - 1].as<double>();
-        const Vec3d way = nodes[j].as<double>() + moved - from;
+        const Vec3d to = nodes[j].as<double>() + moved;
+        const Vec3d way = to - from;
         const double size = length(way);
-        Vec3d next = way;
+        nodes[j] = to.as<float>();
         if (size > 0 && clearing.look(from, way, walked).lack > 0) {
             bool free = false;
-            next = clearing.turned(from, way, walked, free);
+            const Vec3d next = clearing.turned(from, way, walked, free);
             all = all && free;
+            moved = moved + (next - way);
+            nodes[j] = (from + next).as<float>();
         }
-        moved = moved + (next - way);
-        nodes[j] = (from + next).as<float>();
         walked += size;
     }
     return all;

@@ -36,7 +36,7 @@ public:
     double distance(const V3<double>& at, double /*near*/) const { return seen(at).distance; }
 
     bool look(const V3<double>& at, double near, Nearness<double>& out) const {
-        const FieldProbe found = seen(at);
+        const auto found = seen(at);
         const auto& g = found.gradient;
         const auto& h = found.hessian;
         out = {found.distance,
@@ -46,8 +46,8 @@ public:
     }
 
 private:
-    FieldProbe seen(const V3<double>& at) const {
-        return probe(*field_, Vec3d{at[0], at[1], at[2]}.as<float>());
+    BasicFieldProbe<double> seen(const V3<double>& at) const {
+        return probe(*field_, Vec3d{at[0], at[1], at[2]});
     }
 
     const DistanceField* field_ = nullptr;

@@ -11,10 +11,11 @@ namespace kushi {
 
 namespace {
 
-// What of `v` is normal to the unit vector `axis`, or zero where that is only rounding.
+// What of `v` is normal to the unit vector `axis`, or zero where that is only rounding, be it of
+// floats: the walk of many strands takes the same turns.
 Vec3d normalPart(Vec3d v, Vec3d axis) {
     const Vec3d part = v - dot(v, axis) * axis;
-    return dot(part, part) > 1e-18 * dot(v, v) ? normalized(part) : Vec3d{};
+    return dot(part, part) > 1e-13 * dot(v, v) ? normalized(part) : Vec3d{};
 }
 
 // Outward at `from`, unit, of what `to` lies in.

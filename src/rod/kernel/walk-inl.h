@@ -74,13 +74,16 @@ public:
             load = (softness * left * left) * load;
             const V3<Lanes> across = load - dot(load, before) * before;
             const V3<Lanes> bent = before + across;
-            V3<Lanes> along = (Lanes(1) / squareRoot(most(dot(bent, bent), Lanes(1e-30F)))) * bent;
+            const Lanes scale = Lanes(1) / squareRoot(most(dot(bent, bent), Lanes(1e-30F)));
+            V3<Lanes> along = scale * bent;
             V3<Lanes> step = d * along - lost;
             V3<Lanes> next = at + step;
+            LaneMask avoided = Lanes(1) < Lanes(0);
             if (avoiding_) {
                 V3<Lanes> to = start + sphere_.along(next);
                 const LaneMask inside =
                     (dot(to, to) - Lanes(1) < Lanes(insideFrom)) & (left > Lanes(0));
+                avoided = inside;
                 if (any(inside)) {
                     const V3<Lanes> turned =
                         turnedOut(sphere_, batch_.walk->angles,
@@ -93,7 +96,9 @@ public:
                 from = to;
             }
             if (batch_.walk->solids != nullptr) {
-                const V3<Lanes> turned = outOfSolids(root + at, before, along, d, left);
+                // What it was bent by: the difference of the directions would be mostly rounding.
+                const V3<Lanes> bend = select<Lanes>(avoided, along - before, scale * across);
+                const V3<Lanes> turned = outOfSolids(root + at, bend, along, d, left);
                 if (any(dot(turned - along, turned - along) > Lanes(0))) {
                     along = turned;
                     step = d * along - lost;
@@ -149,8 +154,9 @@ private:
         return forceRoom_.items().first(count);
     }
 
-    // Segments that end in solids turn as avoid() has it, one by one; the others stay.
-    HWY_INLINE V3<Lanes> outOfSolids(const V3<Lanes>& from, const V3<Lanes>& before,
+    // Segments that end in solids turn as avoid() has it, one by one; the others stay. `bend` is
+    // what `along` has that the direction before has not.
+    HWY_INLINE V3<Lanes> outOfSolids(const V3<Lanes>& from, const V3<Lanes>& bend,
                                      const V3<Lanes>& along, Lanes size, Lanes left) const {
         alignas(64) float numbers[4][3][Lanes::count];
         alignas(64) float sizes[Lanes::count];
@@ -158,7 +164,7 @@ private:
         const V3<Lanes> to = from + size * along;
         for (int axis = 0; axis < 3; ++axis) {
             storeLanes(from[axis], numbers[0][axis]);
-            storeLanes(before[axis], numbers[1][axis]);
+            storeLanes(bend[axis], numbers[1][axis]);
             storeLanes(along[axis], numbers[2][axis]);
             storeLanes(to[axis], numbers[3][axis]);
         }
@@ -175,7 +181,7 @@ private:
             const Vec3d start = vector(0).as<double>();
             const double length = double{sizes[lane]};
             const Vec3d way = normalized(vector(2).as<double>());
-            const Vec3d behind = start - length * normalized(vector(1).as<double>());
+            const Vec3d behind = start - length * (way - vector(1).as<double>());
             const Vec3d turned =
                 (avoid(obstacles, behind, start, start + length * way, steps) - start) / length;
             numbers[2][0][lane] = static_cast<float>(turned.x);

@@ -229,7 +229,11 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     const Method method = options.method.value_or(style.solver.method);
     if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
-    const Result<DistanceField> solids = solidsOf(style, options.cacheFolder, options.threads);
+    // Nothing keeps grooms out of anything.
+    const bool grows =
+        std::ranges::any_of(style.parts, [](const Part& part) { return !part.groom; });
+    const Result<DistanceField> solids =
+        grows ? solidsOf(style, options.cacheFolder, options.threads) : DistanceField();
     if (!solids) return solids.problems();
     const double solidsTime = stopwatch.lap();
     const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count);

@@ -251,8 +251,8 @@ TEST(Settle, ReportsCountsTimesAndPenetration) {
     ASSERT_EQ(groom.report.stages.size(), 2U);
     ASSERT_EQ(groom.report.penetration.size(), 1U);
     // Nodes are outside; a chord of a segment d dips at most about d^2 / (8 r) below them.
-    EXPECT_GT(groom.report.penetration[0].deepest, 0);
-    EXPECT_LT(groom.report.penetration[0].deepest, 0.002);
+    EXPECT_GT(groom.report.penetration[0].found.deepest, 0);
+    EXPECT_LT(groom.report.penetration[0].found.deepest, 0.002);
 }
 
 // Every strand's colour is the hair's, within the variation; the same from root to tip but for the

@@ -47,7 +47,7 @@ TEST(PartTie, KeepsHairOutOfTheHeadOnItsWay) {
     const auto groom = settle(tied(600, 0.35), options);
     ASSERT_TRUE(groom);
     // Chords between nodes on the surface dip by d^2 / (8 r).
-    EXPECT_LT(groom->report.penetration.at(0).deepest, 2e-4);
+    EXPECT_LT(groom->report.penetration.at(0).found.deepest, 2e-4);
 }
 
 TEST(PartTie, LeavesHairThatIsTooShort) {

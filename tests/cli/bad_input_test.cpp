@@ -28,14 +28,14 @@ TEST(BadInput, AStyleWithProblemsIsRefusedByEveryCommand) {
     const std::string style = folder + "/bad.toml";
     writeText(style,
               smallStyle() + "lenght = 3\n\n[[force]]\ndirection = \"sideways\"\nmagnitude = 1\n");
-    const std::string where = style + ":11:1: error: ";
+    const std::string where = style + ":14:1: error: ";
     for (const std::string& command :
          {"check " + style, "info " + style,
           "settle " + style + " -o " + folder + "/out.hair --report " + folder + "/out.json",
           "render " + style + " -o " + folder + "/out.png"}) {
         expectRefused(folder, command, where);
         expectRefused(folder, command, "length");
-        expectRefused(folder, command, style + ":14:13: error: ");
+        expectRefused(folder, command, style + ":17:13: error: ");
     }
 }
 
@@ -59,7 +59,7 @@ TEST(BadInput, MissingFilesAndFoldersAreNamed) {
 TEST(BadInput, AHeadThatIsMissingOrNoneIsNamed) {
     const std::string folder = freshFolder();
     const std::string style = folder + "/a.toml";
-    writeText(style, smallStyle() + "[head]\nmesh = \"heads/me.obj\"\n");
+    writeText(style, smallStyle("collide = false\nmesh = \"heads/me.obj\""));
     std::filesystem::create_directory(folder + "/heads");
     const std::string head = folder + "/heads/me.obj";
     expectRefused(folder, "check " + style, head + ": error: ");
@@ -70,7 +70,7 @@ TEST(BadInput, AHeadThatIsMissingOrNoneIsNamed) {
     }
     writeText(head, "v 0 0 0\nv 30 0 0\nf 1 2 3\n");
     expectRefused(folder, "check " + style, head + ":3: error: vertex '3' does not exist");
-    // Where nothing is drawn, the head is not needed.
+    // Where nothing is drawn and nothing kept out of it, the head is not needed.
     EXPECT_EQ(runKushi("info " + style).status, 0);
 }
 

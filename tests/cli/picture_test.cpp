@@ -28,7 +28,7 @@ TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
 TEST(RenderCommand, DrawsAHeadFromAFileBesideTheStyle) {
     const std::string folder = freshFolder();
     const auto render = [&](const std::string& head, const std::string& name) {
-        writeText(folder + "/" + name + ".toml", smallStyle() + head);
+        writeText(folder + "/" + name + ".toml", smallStyle(head));
         const Outcome run = runKushi("render " + folder + "/" + name + ".toml -o " + folder + "/" +
                                      name + ".png --size 64x64");
         EXPECT_EQ(run.status, 0) << run.err;
@@ -37,8 +37,8 @@ TEST(RenderCommand, DrawsAHeadFromAFileBesideTheStyle) {
     writeText(folder + "/head.obj",
               "v 0 0 0\nv 20 0 0\nv 0 30 0\nv 0 0 20\nf 1 3 2\nf 1 2 4\n"
               "f 1 4 3\nf 2 3 4\n");
-    const std::string bare = render("[head]\nmesh = \"none\"\n", "bare");
-    const std::string pointed = render("[head]\nmesh = \"head.obj\"\n", "pointed");
+    const std::string bare = render("mesh = \"none\"", "bare");
+    const std::string pointed = render("mesh = \"head.obj\"", "pointed");
     EXPECT_FALSE(bare == pointed);
     EXPECT_EQ(runKushi("check " + folder + "/pointed.toml").status, 0);
 }
@@ -65,7 +65,7 @@ TEST(RenderCommand, ReportsTheScalpThatShows) {
     EXPECT_GT(most, 0.1);
     EXPECT_LE(most, 1);
 
-    writeText(folder + "/a.toml", smallStyle() + "[head]\nmesh = \"none\"\n");
+    writeText(folder + "/a.toml", smallStyle("mesh = \"none\""));
     EXPECT_TRUE(showing("").is_null());
 }
 

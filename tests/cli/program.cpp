@@ -65,9 +65,8 @@ std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes) {
     return {bigEndian(16), bigEndian(20)};
 }
 
-std::string smallStyle() {
-    return R"(kushi = 1
-name = "small"
+std::string smallStyle(const std::string& head) {
+    return "kushi = 1\nname = \"small\"\n\n[head]\n" + head + R"(
 
 [scalp]
 ellipsoid = { center = [0, 0, 0], semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }

@@ -28,7 +28,7 @@ void expectTheSameFromAnyThreads(const std::string& style, const std::string& gr
 /// Width and height of a PNG.
 std::pair<std::uint32_t, std::uint32_t> pngSize(const std::string& bytes);
 
-/// A small valid style.
-std::string smallStyle();
+/// A small valid style, and what its [head] says: hair that keeps out of it takes seconds.
+std::string smallStyle(const std::string& head = "collide = false");
 
 }  // namespace kushi::test

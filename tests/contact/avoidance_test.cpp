@@ -105,27 +105,31 @@ TEST(Avoidance, TurnsASegmentFromAFloorByTheSameSteps) {
     EXPECT_LT(length(line - (from + turned({0.01, 0, 0}, {0, 0.01, 0}, 5))), 1e-6);
     // Else towards the one before, here along the floor and a little up.
     const Vec3d before = from - Vec3d{0.003, -0.002, 0.009};
-    const Vec3d aside = 0.01 * normalized((from - before) -
-                                          dot(from - before, along) / dot(along, along) * along);
+    const Vec3d aside =
+        0.01 * normalized((from - before) - dot(from - before, along) / dot(along, along) * along);
     const Vec3d out = avoid(obstacles, before, from, from + along, 8);
     EXPECT_FALSE(isInside(obstacles, out));
     EXPECT_NEAR(length(out - from), 0.01, 1e-9);
     // It is turned about an axis across both, and half of the angle would not do.
     const double angle = std::acos(dot(out - from, along) / dot(along, along));
     EXPECT_NEAR(dot(out - from, cross(along, aside)), 0, 1e-12);
-    EXPECT_TRUE(isInside(obstacles, from + std::cos(angle / 2) * along +
-                                        std::sin(angle / 2) *
-                                            (dot(out - from, aside) > 0 ? aside : -aside)));
+    EXPECT_TRUE(isInside(obstacles,
+                         from + std::cos(angle / 2) * along +
+                             std::sin(angle / 2) * (dot(out - from, aside) > 0 ? aside : -aside)));
 }
 
 // In a slot that is open above: both sides of a segment that comes straight down are inside.
 TEST(Avoidance, TurnsAlongTheNormalWhereNeitherSideIsFree) {
-    const DistanceField slot = solidOf([](Vec3d at) { return std::min(at.y, 0.004 - std::abs(at.x)); });
+    const DistanceField slot =
+        solidOf([](Vec3d at) { return std::min(at.y, 0.004 - std::abs(at.x)); });
     const Obstacles obstacles = {nullptr, &slot};
     const Vec3d from = {0, 0.002, 0};
+    // Aslant, so that back is not up.
+    const Vec3d along = {0.004, -0.0092, 0};
     const Vec3d before = from + Vec3d{0.0004, 0.01, 0};
-    const Vec3d out = avoid(obstacles, before, from, from + Vec3d{0, -0.01, 0}, 4);
-    EXPECT_LT(length(out - (from + Vec3d{0, 0.01, 0})), 1e-4);
+    ASSERT_TRUE(isInside(obstacles, from + along));
+    const Vec3d out = avoid(obstacles, before, from, from + along, 4);
+    EXPECT_LT(length(out - (from + Vec3d{0, length(along), 0})), 1e-4);
     EXPECT_FALSE(isInside(obstacles, out));
 }
 
@@ -139,7 +143,8 @@ TEST(Avoidance, KeepsOutOfEllipsoidAndSolidsTogether) {
     for (int i = 0; i < 20000; ++i) {
         const Vec3d from = {0.01 * unit(random), 0.011 + 0.01 * unit(random), 0.01 * unit(random)};
         if (isInside(obstacles, from)) continue;
-        const Vec3d before = from + 0.01 * normalized(Vec3d{unit(random), unit(random), unit(random)});
+        const Vec3d before =
+            from + 0.01 * normalized(Vec3d{unit(random), unit(random), unit(random)});
         const Vec3d to = from + 0.012 * normalized(Vec3d{unit(random), unit(random), unit(random)});
         if (!isInside(obstacles, to)) continue;
         ++avoided;

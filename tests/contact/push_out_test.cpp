@@ -14,8 +14,8 @@
 namespace kushi {
 namespace {
 
-constexpr double h = 0.0025;      // m
-constexpr double margin = 5e-4;   // m
+constexpr double h = 0.0025;     // m
+constexpr double margin = 5e-4;  // m
 
 using Distance = std::function<double(Vec3d)>;
 
@@ -211,6 +211,18 @@ TEST(Clearance, IsThatOfDenseSampling) {
         near += dense < wide ? 1 : 0;
     }
     EXPECT_GT(near, 20);
+}
+
+// However long the segments are that go through it.
+TEST(Clearance, MissesNoThinWall) {
+    const auto toWall = [](Vec3d at) { return std::abs(at.x) - 0.003; };
+    const DistanceField field = fieldOf(toWall);
+    for (int segments = 1; segments < 8; ++segments) {
+        for (const double aside : {0.0, 0.05, 0.11}) {
+            const auto nodes = straight({-0.14, -aside, 0}, {0.13, aside, 0.02}, segments);
+            EXPECT_NEAR(clearance(field, nodes, margin), -0.003, 2e-4) << segments;
+        }
+    }
 }
 
 TEST(Clearance, AllowsARootOnASurfaceItsWay) {

@@ -104,6 +104,8 @@ void expectLift(const Part& part, Method method, const std::function<Vec3d(Vec3d
     style.solver.method = method;
     style.solver.segments = 5;
     style.gravity = {0, 0, 0};
+    style.headCollides = false;
+    style.contact.layers = false;
     style.parts = {part};
     const Result<SettledGroom> groom = settle(style);
     ASSERT_TRUE(groom.ok()) << toString(groom.problems()[0]);

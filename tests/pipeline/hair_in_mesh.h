@@ -12,10 +12,10 @@ namespace kushi::test {
 
 /// What is found inside.
 struct HairInMesh {
-    double deepest = 0;        ///< m
-    std::size_t strands = 0;   ///< with a point deeper than 0.1 mm
-    std::uint32_t worst = 0;   ///< the strand with the deepest point,
-    Vec3d place;               ///< and that
+    double deepest = 0;       ///< m
+    std::size_t strands = 0;  ///< with a point deeper than 0.1 mm
+    std::uint32_t worst = 0;  ///< the strand with the deepest point,
+    Vec3d place;              ///< and that
 };
 
 /// A closed mesh whose triangles face outwards, as something that hair may be in.
@@ -30,7 +30,8 @@ public:
     bool contains(Vec3d place) const {
         if (length(place) > reach_) return false;
         int votes = 0;
-        for (const Vec3d way : {Vec3d{0.31, 0.93, 0.2}, Vec3d{-0.7, 0.1, 0.71}, Vec3d{0.2, 0.4, -0.9}}) {
+        for (const Vec3d way :
+             {Vec3d{0.31, 0.93, 0.2}, Vec3d{-0.7, 0.1, 0.71}, Vec3d{0.2, 0.4, -0.9}}) {
             const auto hit = rays_.first(place, place + 3 * reach_ * way);
             votes += hit && dot(hit->normal, way) > 0 ? 1 : 0;
         }

@@ -16,6 +16,7 @@ namespace {
 
 Style onHead(int count) {
     Style style;
+    style.headCollides = false;
     Part part;
     part.name = "hair";
     part.scalp.ellipsoid = headEllipsoid();

@@ -17,7 +17,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t strands = 12;
 #else
-constexpr std::size_t strands = 60;
+constexpr std::size_t strands = 40;
 #endif
 
 const Mesh& head() {
@@ -105,11 +105,15 @@ TEST_P(ShippedStyle, LeavesTheHeadAlone) {
     ASSERT_TRUE(style.ok());
     SettleOptions options;
     options.cacheFolder = cache();
+    int which = 0;
     for (const double length : {0.1, 0.25, 0.5, 0.9}) {
         // Long curls take long.
         if (winds(*style) && length > 0.3) continue;
         for (const auto& [name, way] : gravities) {
+            ++which;
             for (const Method method : {Method::Cantilever, Method::Equilibrium}) {
+                // Half of the rests: against a style's own forces they take long.
+                if (method == Method::Equilibrium && which % 2 == 0) continue;
                 const auto groom = settle(trimmed(*style, method, length, way), options);
                 ASSERT_TRUE(groom.ok());
                 const test::HairInMesh found = solidHead().find(groom->strands);

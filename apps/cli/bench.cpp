@@ -97,8 +97,11 @@ public:
         world.solids = &*mannequin;
         rest("solids", rods, world);
         rest("curly-solids", curly, world);
-        const std::vector<Layer> layers =
-            layersOf(straight.scalp.ellipsoid, *follicles, straight.hair.diameter, 0.15);
+        const LayerMap map =
+            layerMapOf(straight.scalp.ellipsoid, *follicles, straight.hair.diameter, 0.15);
+        std::vector<Layer> layers;
+        for (const EllipsoidAngles root : follicles->angles)
+            layers.push_back(map.at(root));
         world.layers = layers;
         rest("layers", rods, world);
         reference(rods);

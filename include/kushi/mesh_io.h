@@ -26,7 +26,8 @@ struct MeshPlacement {
     Vec3d up = {0, 1, 0};     ///< in the file's axes; one of them, or one reversed
     Vec3d front = {0, 0, 1};  ///< the way the face looks, likewise; at right angles to up
     MeshOrigin origin = MeshOrigin::Crown;
-    Vec3d offset;  ///< added at the end [m], in Kushi's axes
+    Vec3d offset;               ///< added at the end [m], in Kushi's axes
+    double leastHeight = 0.15;  ///< a lower mesh is a problem: no head, or in another unit [m]
 };
 
 /// Whether the extension of `path` is one that readMesh knows: .obj, .ply, .stl, .gltf or .glb, in
@@ -42,8 +43,9 @@ bool isMeshPath(const std::string& path);
 /// materials).
 ///
 /// A file that is truncated, contradicts itself, has no faces or holds a position that is not
-/// finite is a problem that says where; so is a mesh that is not 15 to 250 cm high, with the unit
-/// that it may be in. Counts are checked against the size of the file before memory is taken.
+/// finite is a problem that says where; so is a mesh that is lower than leastHeight or more than
+/// 250 cm high, with the unit that it may be in. Counts are checked against the size of the file
+/// before memory is taken.
 Result<Mesh> readMesh(const std::string& path, const MeshPlacement& placement = {});
 
 }  // namespace kushi

@@ -13,8 +13,7 @@
 namespace kushi {
 namespace {
 
-// A skull alone and a tall person with the arms up [m].
-constexpr double leastHeight = 0.15;
+// A tall person with the arms up [m].
 constexpr double mostHeight = 2.5;
 constexpr double mostWidth = 10;
 // What lies in the 12 cm below the crown: the skull from the brows up, neither nose nor neck [m].
@@ -52,7 +51,7 @@ std::string printed(const char* format, double value) {
 }
 
 /// The units in which a mesh would be of a plausible height, by its height in units.
-std::string unitHint(double height) {
+std::string unitHint(double height, double leastHeight) {
     using Unit = std::pair<const char*, double>;
     std::string hint;
     for (const auto& [name, size] : {Unit{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}}) {
@@ -64,7 +63,7 @@ std::string unitHint(double height) {
     return hint;
 }
 
-std::string checkSize(Vec3d size, double unit) {
+std::string checkSize(Vec3d size, double unit, double leastHeight) {
     const double height = size.y;
     if (std::max(size.x, size.z) > mostWidth) {
         return "the mesh is " + printed("%.4g", 100 * std::max(size.x, size.z)) +
@@ -72,8 +71,9 @@ std::string checkSize(Vec3d size, double unit) {
     }
     if (height >= leastHeight && height <= mostHeight) return {};
     if (!(height > 0)) return "the mesh is flat: it has no height, expected a head";
-    return "the mesh is " + printed("%.4g", 100 * height) +
-           " cm high, expected 15 to 250 (a head, or a whole figure); " + unitHint(height / unit);
+    return "the mesh is " + printed("%.4g", 100 * height) + " cm high, expected " +
+           printed("%g", 100 * leastHeight) + " to 250 (a head, or a whole figure); " +
+           unitHint(height / unit, leastHeight);
 }
 
 }  // namespace
@@ -90,7 +90,9 @@ std::string placeMesh(Faces& faces, const MeshPlacement& placement, double unit)
         normal = turned(normal);
 
     const Extent all = extentAbove(faces, -std::numeric_limits<double>::infinity());
-    if (std::string fault = checkSize(all.high - all.low, unit); !fault.empty()) return fault;
+    if (std::string fault = checkSize(all.high - all.low, unit, placement.leastHeight);
+        !fault.empty())
+        return fault;
 
     Vec3d shift = placement.offset;
     if (placement.origin == MeshOrigin::Crown) {

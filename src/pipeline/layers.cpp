@@ -78,20 +78,21 @@ Layer below(const Meadow& meadow, int row, int column, double sectionOverPacking
 
 }  // namespace
 
-std::vector<Layer> layersOf(const Ellipsoid& ellipsoid, const Follicles& follicles, double diameter,
-                            double packing) {
+Layer LayerMap::at(EllipsoidAngles root) const {
+    if (cells.empty()) return {};
+    const int cell = Meadow::rowOf(root) * columns + Meadow::columnOf(root);
+    return cells[static_cast<std::size_t>(cell)];
+}
+
+LayerMap layerMapOf(const Ellipsoid& ellipsoid, const Follicles& follicles, double diameter,
+                    double packing) {
     const Meadow meadow(ellipsoid, follicles);
     const double section = pi / 4 * diameter * diameter / packing;
-    std::vector<Layer> cells;
+    LayerMap map;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
-            cells.push_back(below(meadow, row, column, section));
-    std::vector<Layer> layers;
-    for (const EllipsoidAngles angles : follicles.angles) {
-        const int cell = Meadow::rowOf(angles) * columns + Meadow::columnOf(angles);
-        layers.push_back(cells[static_cast<std::size_t>(cell)]);
-    }
-    return layers;
+            map.cells.push_back(below(meadow, row, column, section));
+    return map;
 }
 
 }  // namespace kushi

@@ -8,14 +8,21 @@
 
 namespace kushi {
 
-/// How thick the hair is on which each follicle's strand lies: hair that grows below it on its way
-/// down the scalp, from the ellipsoid's pole along the meridian, lies beneath. With so many hairs
-/// to the area as the scalp bears along that way, the pile rises by hairs x section / packing on
-/// each metre, up to where no more hair grows.
+/// How thick the hair is on which strands lie, by the place of their roots.
+struct LayerMap {
+    std::vector<Layer> cells;  ///< of theta and phi; none: they lie on the skin
+
+    Layer at(EllipsoidAngles root) const;
+};
+
+/// Hair that grows below a strand on its way down the scalp, from the ellipsoid's pole along the
+/// meridian, lies beneath it. With so many hairs to the area as the scalp bears along that way, the
+/// pile rises by hairs x section / packing on each metre, up to where no more hair grows.
 ///
-/// diameter  of the hairs [m]
-/// packing   share of the pile that is hair, in (0, 1)
-std::vector<Layer> layersOf(const Ellipsoid& ellipsoid, const Follicles& follicles, double diameter,
-                            double packing);
+/// follicles  all of the style's, so that a preview lies as the whole does
+/// diameter   of the hairs [m]
+/// packing    share of the pile that is hair, in (0, 1)
+LayerMap layerMapOf(const Ellipsoid& ellipsoid, const Follicles& follicles, double diameter,
+                    double packing);
 
 }  // namespace kushi

@@ -136,7 +136,7 @@ public:
     }
 
     Status add(const Part& part, const PartSource& source) {
-        Status added = source.groom ? addGroom(part, *source.groom) : grow(part, source.follicles);
+        Status added = source.groom ? addGroom(part, *source.groom) : grow(part, source);
         done_ += source.size();
         show(static_cast<double>(done_));
         return added;
@@ -195,7 +195,7 @@ private:
         Strands strands;
     };
 
-    Status grow(const Part& part, const Follicles& follicles) {
+    Status grow(const Part& part, const PartSource& source) {
         PartSettling how;
         how.method = method_;
         how.segments = options_.segments.value_or(style_.solver.segments);
@@ -204,7 +204,8 @@ private:
         how.headFriction = static_cast<float>(style_.headFriction);
         how.again = style_.contact.packing && method_ == Method::Equilibrium;
         how.threads = options_.threads;
-        grown_.push_back({&part, &follicles, PartHair(style_, part, follicles, how)});
+        how.layers = source.layers;
+        grown_.push_back({&part, &source.follicles, PartHair(style_, part, source.follicles, how)});
         return grown_.back().hair.settle();
     }
 

@@ -4,7 +4,6 @@
 #include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
-#include "pipeline/layers.h"
 #include "pipeline/push_all_out.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/tie_up.h"
@@ -22,9 +21,6 @@ namespace kushi {
 namespace {
 
 constexpr double mostTurn = 2.2;  // rad in one segment
-
-// Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
-constexpr double lyingPacking = 0.15;
 
 constexpr double everything = std::numeric_limits<double>::infinity();
 
@@ -61,10 +57,6 @@ public:
           groupOf_(follicles.size()),
           seen_(follicles.size(), everything) {
         settled_.stretches.resize(follicles.size());
-        if (style.contact.layers && how.method == Method::Equilibrium) {
-            layers_ = layersOf(part.scalp.ellipsoid, follicles, part.hair.diameter,
-                               style.contact.packing.value_or(lyingPacking));
-        }
     }
 
     Status settle() {
@@ -173,7 +165,10 @@ private:
         const double grading = how_.method == Method::Cantilever ? 1 : style_.solver.grading;
         group.rods = grow(part_, follicles_, sizes_, which, grading);
         group.shares = rootShares(part_.forces, picked(follicles_.angles, which));
-        if (!layers_.empty()) group.layers = picked(layers_, which);
+        if (!how_.layers.cells.empty()) {
+            for (const std::uint32_t i : which)
+                group.layers.push_back(how_.layers.at(follicles_.angles[i]));
+        }
         group.ties = layAlong(ways, style_.gravity, group.rods);
         group.first = settled_.nodes.size();
         settled_.nodes.resize(group.first + group.rods.nodeCount());
@@ -275,7 +270,6 @@ private:
     const Part& part_;
     const Follicles& follicles_;
     PartSettling how_;
-    std::vector<Layer> layers_;  // of each follicle; none: hair lies on the skin
     Sizes sizes_;
     SettledPart settled_;
     std::vector<Outcome> outcomes_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/density.h"
+#include "pipeline/layers.h"
 
 #include <kushi/distance_field.h>
 #include <kushi/follicles.h>
@@ -38,6 +39,7 @@ struct PartSettling {
     const DistanceField* solids = nullptr;  ///< kept outside of; none if null
     std::span<const float> frictions = {};  ///< of the solids
     float headFriction = 0;                 ///< of the ellipsoid
+    LayerMap layers = {};                   ///< what hair lies on; equilibrium only
     bool again = false;                     ///< settleUnder() is to follow
     int threads = 0;
 };

@@ -36,16 +36,25 @@ std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, st
     return shares;
 }
 
-Result<PartSource> sourceOf(const Part& part, std::uint64_t seed, const Mesh& head) {
+// Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
+constexpr double lyingPacking = 0.15;
+
+Result<PartSource> sourceOf(const Part& part, const Contact& contact, std::uint64_t seed,
+                            const Mesh& head) {
     if (part.groom) {
         Result<Strands> groom = groomOf(part);
         if (!groom) return groom.problems();
         complete(*groom, part.hair, seed);
-        return PartSource{{}, std::move(*groom)};
+        return PartSource{{}, std::move(*groom), {}};
     }
     Result<Follicles> planted = plant(part.scalp, seed, head);
     if (!planted) return planted.problems();
-    return PartSource{std::move(*planted), {}};
+    PartSource source = {std::move(*planted), {}, {}};
+    if (contact.layers) {
+        source.layers = layerMapOf(part.scalp.ellipsoid, source.follicles, part.hair.diameter,
+                                   contact.packing.value_or(lyingPacking));
+    }
+    return source;
 }
 
 bool growsFromHead(const Style& style) {
@@ -62,14 +71,15 @@ Strands thinned(const Strands& groom, std::size_t count) {
 }
 
 // With another number of strands.
-Result<PartSource> resized(PartSource source, const Part& part, std::uint64_t seed,
-                           const Mesh& head, std::size_t count) {
-    if (source.groom) return PartSource{{}, thinned(*source.groom, count)};
-    if (count <= source.size()) return PartSource{thin(source.follicles, count), {}};
+Result<PartSource> resized(PartSource source, const Part& part, const Contact& contact,
+                           std::uint64_t seed, const Mesh& head, std::size_t count) {
+    if (source.groom) return PartSource{{}, thinned(*source.groom, count), {}};
+    if (count <= source.size())
+        return PartSource{thin(source.follicles, count), {}, std::move(source.layers)};
     Part more = part;
     more.scalp.spacing.reset();
     more.scalp.count = static_cast<int>(count);
-    return sourceOf(more, seed, head);
+    return sourceOf(more, contact, seed, head);
 }
 
 }  // namespace
@@ -80,7 +90,7 @@ Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std:
     std::vector<PartSource> all;
     std::vector<std::size_t> sizes;
     for (const Part& part : style.parts) {
-        Result<PartSource> source = sourceOf(part, seedOf(style, part), *head);
+        Result<PartSource> source = sourceOf(part, style.contact, seedOf(style, part), *head);
         if (!source) return source.problems();
         sizes.push_back(source->size());
         all.push_back(std::move(*source));
@@ -92,7 +102,7 @@ Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std:
     for (std::size_t p = 0; p < all.size(); ++p) {
         const Part& part = style.parts[p];
         Result<PartSource> source =
-            resized(std::move(all[p]), part, seedOf(style, part), *head, shares[p]);
+            resized(std::move(all[p]), part, style.contact, seedOf(style, part), *head, shares[p]);
         if (!source) return source.problems();
         all[p] = std::move(*source);
     }

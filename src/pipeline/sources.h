@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "pipeline/layers.h"
+
 #include <kushi/follicles.h>
 #include <kushi/strands.h>
 
@@ -12,6 +14,7 @@ namespace kushi {
 struct PartSource {
     Follicles follicles;           ///< of hair that grows
     std::optional<Strands> groom;  ///< else; with keys, diameters and colours
+    LayerMap layers = {};          ///< what the hair that grows lies on
 
     std::size_t size() const { return groom ? groom->size() : follicles.size(); }
 };

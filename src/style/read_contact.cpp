@@ -10,6 +10,7 @@ Collider readCollider(const Node& node, ReadContext& context) {
     const TableReader table(node, tables::collider, context);
     Collider collider;
     collider.placement.origin = MeshOrigin::File;
+    collider.placement.leastHeight = 0.001;
     table.require("mesh", "the path of what hair keeps out of, as in mesh = \"body.glb\"");
     constexpr std::array<std::string_view, 1> names = {"mannequin"};
     const bool fromFile = readMeshPath(table, names, collider.mesh);

@@ -39,6 +39,7 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"rest_shape.h", "rod"},
                                                          {"settle_groom.h", "pipeline"},
                                                          {"settle.h", "pipeline"},
+                                                         {"push_out.h", "pipeline"},
                                                          {"shade.h", "shading"},
                                                          {"camera.h", "render"},
                                                          {"draw.h", "render"}};

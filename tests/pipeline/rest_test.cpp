@@ -75,8 +75,7 @@ TEST(HairAtRest, DoesNotDependOnTheNumberOfThreads) {
 
 // Of the same hairs, whatever else there is: a preview shows what the whole will be.
 TEST(HairAtRest, OfAPreviewIsThatOfTheWhole) {
-    Style hair = style(600);
-    hair.contact.layers = false;
+    const Style hair = style(600);
     const SettledGroom whole = settled(hair);
     const SettledGroom some = settled(hair, preview(60));
     std::size_t found = 0;

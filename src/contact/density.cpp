@@ -69,7 +69,7 @@ void Density::add(std::span<const Vec3f> nodes, double section) {
     for (std::size_t j = 1; j < nodes.size(); ++j) {
         const Vec3f way = nodes[j] - nodes[j - 1];
         const float size = length(way);
-        const int pieces = std::max(1, static_cast<int>(std::ceil(size / voxels_.size)));
+        const int pieces = std::max(1, static_cast<int>(std::ceil(2 * size / voxels_.size)));
         const auto piece = static_cast<float>(scale * double{size} / pieces);
         for (int k = 0; k < pieces; ++k) {
             const float share = (static_cast<float>(k) + 0.5F) / static_cast<float>(pieces);

@@ -43,7 +43,7 @@ public:
     float packing(std::size_t voxel) const;
     float largestPacking() const;
     /// Of the voxels that hold at least so much [m3].
-    double volume(float packing) const;
+    double volume(float least) const;
 
 private:
     Voxels voxels_;

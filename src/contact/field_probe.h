@@ -46,7 +46,7 @@ inline float roughDistance(const DistanceField& field, Vec3f place) {
 inline std::size_t nearestSolid(const DistanceField& field, Vec3f place) {
     if (field.nearest.empty()) return 0;
     const auto at = [&](float way, std::size_t axis) {
-        const float last = static_cast<float>(field.size[axis] - 1);
+        const auto last = static_cast<float>(field.size[axis] - 1);
         // In this order, what is no number becomes 0.
         return static_cast<int>(std::min(std::max(0.0F, way / field.spacing + 0.5F), last));
     };

@@ -47,7 +47,7 @@ public:
 
 private:
     static std::size_t index(int row, int column) {
-        return static_cast<std::size_t>(row * columns + column);
+        return static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
     }
     Vec3d corner(double row, double column) const {
         return ellipsoid_.point({row * pi / rows, (column / columns - 0.5) * 2 * pi});

@@ -160,11 +160,11 @@ public:
     }
 
     SettledGroom take(double solidsTime, double plantTime, double settleTime, double looseTime) {
-        for (std::size_t p = 0; p < style_.parts.size(); ++p) {
+        for (const Part& part : style_.parts) {
             for (GrownPart& grown : grown_)
-                if (grown.part == &style_.parts[p]) put(grown);
+                if (grown.part == &part) put(grown);
             for (GroomOfPart& groom : grooms_)
-                if (groom.part == &style_.parts[p]) put(groom);
+                if (groom.part == &part) put(groom);
         }
         SettleReport& report = groom_.report;
         if (solids_ != nullptr) {

@@ -93,22 +93,22 @@ void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from
 
 // Steps of one kind. Hasty ones are long.
 struct Pass {
+    double worse, curvature;
     int steps;
     bool hasty;
-    double worse, curvature;
     bool sliding = false;  // for hair that slides off what it lies on
 };
 
 // A few steps for all; those that need more are put together and go on. What is quick for most is
 // not for all, so that they go on in other ways as well.
-constexpr Pass passes[] = {{6, true, 100, 0.02},
-                           {12, true, 100, 0.02},
-                           {40, false, 100, 0.02},
-                           {60, false, 10, 0.02},
-                           {60, false, 100, 1}};
+constexpr Pass passes[] = {{100, 0.02, 6, true},
+                           {100, 0.02, 12, true},
+                           {100, 0.02, 40, false},
+                           {10, 0.02, 60, false},
+                           {100, 1, 60, false}};
 // Of hair that has been laid on what it touches, before its loads grow anew.
-constexpr Pass laidPasses[] = {{8, true, 100, 0.02, true}, {16, true, 100, 0.02, true}};
-constexpr Pass warmPass = {4, true, 100, 0.02};
+constexpr Pass laidPasses[] = {{100, 0.02, 8, true, true}, {100, 0.02, 16, true, true}};
+constexpr Pass warmPass = {100, 0.02, 4, true};
 
 template <class Element>
 class Settling {
@@ -121,11 +121,8 @@ public:
     void run() {
         const bool given = !batch_.rods->starts.empty();
         Start start = given ? Start::Given : Start::Cold;
-        if (given && batch_.warm) {
-            pass(warmPass, Start::Warm);
-            start = Start::Further;
-        } else if (batch_.warm && !batch_.world->loads.empty()) {
-            // Their rest is the one near where they were.
+        // With given starts, or while other hair presses, the rest is the one near where they were.
+        if (batch_.warm && (given || !batch_.world->loads.empty())) {
             pass(warmPass, Start::Warm);
             start = Start::Further;
         } else if (batch_.warm) {

@@ -13,8 +13,6 @@
 namespace kushi {
 namespace {
 
-using test::readBytes;
-using test::writeBytes;
 using testing::HasSubstr;
 using testing::StartsWith;
 

@@ -179,7 +179,7 @@ private:
             };
             if (segments[lane] <= 0 || distanceAt(*obstacles.solids, vector(3)) >= 0) continue;
             const Vec3d start = vector(0).as<double>();
-            const double length = double{sizes[lane]};
+            const auto length = static_cast<double>(sizes[lane]);
             const Vec3d way = normalized(vector(2).as<double>());
             const Vec3d behind = start - length * (way - vector(1).as<double>());
             const Vec3d turned =

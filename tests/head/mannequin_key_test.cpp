@@ -15,8 +15,8 @@ std::uint64_t hashed(std::uint64_t hash, const void* from, std::size_t bytes) {
     return hash;
 }
 
-// If this fails, the mannequin has changed: mannequinKey is to be set to what is found here, so that
-// distance fields of the old one are not taken for the new one's.
+// If this fails, the mannequin has changed: mannequinKey is to be set to what is found here, so
+// that distance fields of the old one are not taken for the new one's.
 TEST(Mannequin, HasTheKeyOfItsContents) {
     const Mesh mesh = mannequin();
     std::uint64_t hash = 0xcbf29ce484222325U;

@@ -14,8 +14,8 @@ namespace kushi {
 namespace {
 
 namespace kernel = HWY_NAMESPACE;
-using kernel::Lanes;
 using kernel::LaneField;
+using kernel::Lanes;
 
 constexpr double h = 0.0025;  // m
 

@@ -50,7 +50,8 @@ Result<bool> isStylePath(const std::string& path) {
 }
 
 Result<SettledGroom> settleWithProgress(const Style& style, const std::string& path,
-                                        const SettleFlags& flags, bool measurePenetration) {
+                                        const SettleFlags& flags, bool measurePenetration,
+                                        const Mesh* head) {
     ProgressBar bar("settling");
     SettleOptions options;
     options.segments = flags.segments;
@@ -61,6 +62,7 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
     options.threads = flags.threads;
     options.measurePenetration = measurePenetration;
     options.cacheFolder = cacheBeside(path);
+    options.head = head;
     options.progress = [&bar](double share) { bar.show(share); };
     Result<SettledGroom> groom = settle(style, options);
     if (groom && groom->strands.size() == 0) {

@@ -14,8 +14,11 @@ namespace kushi {
 Result<bool> isStylePath(const std::string& path);
 
 /// Settles the style of `path`, with a progress bar.
+///
+/// head  of the style, if it is at hand already; else null
 Result<SettledGroom> settleWithProgress(const Style& style, const std::string& path,
-                                        const SettleFlags& flags, bool measurePenetration);
+                                        const SettleFlags& flags, bool measurePenetration,
+                                        const Mesh* head = nullptr);
 
 /// What a groom is to be kept out of: the solids of a style, or the mannequin if `stylePath` is
 /// empty. Fields are kept beside the style, or beside `groomPath`.

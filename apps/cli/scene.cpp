@@ -32,15 +32,17 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     const Result<Style> style = readStyle(path);
     if (!style) return style.problems();
     clock.end("read");
-    const Result<SettledGroom> groom = settleWithProgress(*style, path, flags, measurePenetration);
+    Result<Mesh> head = headOf(*style);
+    if (!head) return head.problems();
+    clock.end("head");
+    const Result<SettledGroom> groom =
+        settleWithProgress(*style, path, flags, measurePenetration, &*head);
     if (!groom) return groom.problems();
     Scene scene;
     scene.strands = withInnerPieces(*groom);
     scene.report = groom->report;
     scene.body = style->parts[0].scalp.ellipsoid;
     clock.add(groom->report.stages);
-    Result<Mesh> head = headOf(*style);
-    if (!head) return head.problems();
     scene.head = std::move(*head);
     const bool onHead = style->parts[0].scalp.surface == ScalpSurface::Head;
     scene.skin = scalpTint(scene.head, groom->strands, onHead ? std::nullopt : scene.body, skin,
@@ -51,7 +53,7 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
         append(scene.head, collider);
         scene.skin.resize(scene.head.vertices.size(), felt);
     }
-    clock.end("head");
+    clock.end("tint");
     return scene;
 }
 

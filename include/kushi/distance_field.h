@@ -19,6 +19,13 @@ struct Solid {
     double offset = 0;  ///< the solid is taken to be so much larger [m]; negative: smaller
 };
 
+/// Where sample (x, y, z) of a grid lies in an array, x fastest, then y.
+inline std::size_t gridIndex(const std::array<int, 3>& size, int x, int y, int z) {
+    const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +
+                     static_cast<std::size_t>(y);
+    return row * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x);
+}
+
 /// Signed distance to the union of solids on a grid of samples, below zero inside.
 struct DistanceField {
     Vec3f origin;                       ///< place of the first sample [m]
@@ -30,11 +37,7 @@ struct DistanceField {
     static constexpr float unitsPerSpacing = 256;
     float unit() const { return spacing / unitsPerSpacing; }
     bool empty() const { return units.empty(); }
-    std::size_t index(int x, int y, int z) const {
-        const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +
-                         static_cast<std::size_t>(y);
-        return row * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x);
-    }
+    std::size_t index(int x, int y, int z) const { return gridIndex(size, x, y, z); }
 };
 
 struct DistanceFieldOptions {

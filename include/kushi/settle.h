@@ -24,6 +24,7 @@ struct SettleOptions {
     int threads = 0;                   ///< 0: as many as the machine has
     bool measurePenetration = false;   ///< fill SettleReport::penetration
     std::string cacheFolder;           ///< of solidsOf()
+    const Mesh* head = nullptr;        ///< headOf() the style, if it is at hand already
     /// Told the share done, in [0, 1], now and then and from any thread; may be empty.
     std::function<void(double)> progress;
 };

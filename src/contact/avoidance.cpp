@@ -25,10 +25,7 @@ Vec3d outward(const Obstacles& obstacles, Vec3d from, Vec3d to) {
     const bool alone = obstacles.solids == nullptr;
     if (obstacles.ellipsoid != nullptr && (inEllipsoid || alone))
         return obstacles.ellipsoid->normal(from);
-    if (alone) return {0, 1, 0};
-    const FieldProbe seen = probe(*obstacles.solids, from.as<float>());
-    const Vec3d gradient = {seen.gradient[0], seen.gradient[1], seen.gradient[2]};
-    return length(gradient) > 1e-3 ? normalized(gradient) : Vec3d{0, 1, 0};
+    return alone ? Vec3d{0, 1, 0} : outwardAt(*obstacles.solids, from);
 }
 
 // Unit vector normal to `direction` in the plane to turn in, on the side of the axis before ->

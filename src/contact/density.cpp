@@ -38,12 +38,6 @@ std::array<Cell, 3> cellsAt(const Voxels& voxels, Vec3f place) {
             cellAt(place.z, voxels.origin.z, voxels.size, voxels.count[2])};
 }
 
-std::size_t indexOf(const Voxels& voxels, int x, int y, int z) {
-    const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(voxels.count[1]) +
-                     static_cast<std::size_t>(y);
-    return row * static_cast<std::size_t>(voxels.count[0]) + static_cast<std::size_t>(x);
-}
-
 }  // namespace
 
 Voxels voxelsAround(std::span<const Vec3f> places, float size) {
@@ -81,7 +75,7 @@ void Density::add(std::span<const Vec3f> nodes, double section) {
                 const float weight = (dx == 0 ? 1 - x.share : x.share) *
                                      (dy == 0 ? 1 - y.share : y.share) *
                                      (dz == 0 ? 1 - z.share : z.share);
-                volumes_[indexOf(voxels_, x.first + dx, y.first + dy, z.first + dz)] +=
+                volumes_[gridIndex(voxels_.count, x.first + dx, y.first + dy, z.first + dz)] +=
                     static_cast<std::uint64_t>(weight * piece);
             }
         }
@@ -144,7 +138,7 @@ void Pressure::grow(const Density& density, float packing) {
 }
 
 float Pressure::head(int x, int y, int z) const {
-    return heads_[indexOf(voxels_, x, y, z)];
+    return heads_[gridIndex(voxels_.count, x, y, z)];
 }
 
 Vec3f Pressure::pull(Vec3f place) const {

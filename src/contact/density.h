@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/vec.h>
 
 #include <array>
@@ -17,10 +18,7 @@ struct Voxels {
     float size = 0.005F;  ///< of a cube's edge [m]
     std::array<int, 3> count{};
 
-    std::size_t total() const {
-        return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
-               static_cast<std::size_t>(count[2]);
-    }
+    std::size_t total() const { return gridIndex(count, 0, 0, count[2]); }
 };
 
 /// Voxels that hold all of some places and two more around them.

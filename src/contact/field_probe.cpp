@@ -95,4 +95,10 @@ BasicFieldProbe<double> probe(const DistanceField& field, Vec3d place) {
     return probeAt<double>(field, place);
 }
 
+Vec3d outwardAt(const DistanceField& field, Vec3d place) {
+    const FieldProbe seen = probe(field, place.as<float>());
+    const Vec3d gradient = {seen.gradient[0], seen.gradient[1], seen.gradient[2]};
+    return length(gradient) > 1e-3 ? normalized(gradient) : Vec3d{0, 1, 0};
+}
+
 }  // namespace kushi

@@ -26,21 +26,8 @@ FieldProbe probe(const DistanceField& field, Vec3f place);
 /// The same in double: floats round a place by what a stiff spring feels.
 BasicFieldProbe<double> probe(const DistanceField& field, Vec3d place);
 
-/// Distance at the sample next to a place, about a spacing from what it is at the place; 1 m
-/// outside of the grid.
-inline float roughDistance(const DistanceField& field, Vec3f place) {
-    const float scale = 1 / field.spacing;
-    const float x = (place.x - field.origin.x) * scale + 0.5F;
-    const float y = (place.y - field.origin.y) * scale + 0.5F;
-    const float z = (place.z - field.origin.z) * scale + 0.5F;
-    const bool within = x >= 0 && y >= 0 && z >= 0 && x < static_cast<float>(field.size[0]) &&
-                        y < static_cast<float>(field.size[1]) &&
-                        z < static_cast<float>(field.size[2]);
-    if (!within) return 1;
-    const std::size_t at =
-        field.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
-    return static_cast<float>(field.units[at]) * field.unit();
-}
+/// Outward of the nearest surface, unit; +y where that is undecided.
+Vec3d outwardAt(const DistanceField& field, Vec3d place);
 
 /// Which solid is nearest, by the sample next to a place; the first outside of the grid.
 inline std::size_t nearestSolid(const DistanceField& field, Vec3f place) {

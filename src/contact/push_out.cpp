@@ -52,7 +52,7 @@ public:
         for (int i = 0; i < attempts && now.lack > 0; ++i) {
             const double at = std::max(now.at, 0.1);
             const Vec3d place = from + now.at * next;
-            next = at * next + (now.lack + 1e-5) * outward(place);
+            next = at * next + (now.lack + 1e-5) * outwardAt(solids_, place);
             next = (size / std::max(length(next), 1e-12)) * next;
             now = look(from, next, walked);
             if (now.lack >= least.lack) continue;
@@ -71,12 +71,6 @@ private:
 
     double wanted(double walked) const {
         return std::min(margin_, std::min(start_, 0.0) + rise * walked - 1e-6);
-    }
-
-    Vec3d outward(Vec3d place) const {
-        const FieldProbe seen = probe(solids_, place.as<float>());
-        const Vec3d gradient = {seen.gradient[0], seen.gradient[1], seen.gradient[2]};
-        return length(gradient) > 1e-3 ? normalized(gradient) : Vec3d{0, 1, 0};
     }
 
     // The free way that is turned least, of many around; else the best of them.

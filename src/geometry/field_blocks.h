@@ -30,11 +30,7 @@ struct FieldBlocks {
     std::vector<Probe> middles;
     std::vector<Nearest> nearest;
 
-    std::size_t index(int x, int y, int z) const {
-        const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +
-                         static_cast<std::size_t>(y);
-        return row * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x);
-    }
+    std::size_t index(int x, int y, int z) const { return gridIndex(size, x, y, z); }
 };
 
 FieldBlocks blocksOf(const DistanceField& grid, const SolidTrees& trees, int threads);

@@ -39,6 +39,18 @@ std::string fieldName(std::span<const Solid> solids, const DistanceFieldOptions&
     return hexadecimal(keyOf(solids, options, 1)) + hexadecimal(keyOf(solids, options, 2));
 }
 
+std::string fieldName(std::uint64_t meshKey, double offset) {
+    std::string name;
+    for (const std::uint64_t seed : {3, 4}) {
+        ContentKey key(seed);
+        key.add(method);
+        key.add(meshKey);
+        key.add(std::bit_cast<std::uint64_t>(offset));
+        name += hexadecimal(key.value());
+    }
+    return name;
+}
+
 Result<DistanceField> cachedField(const std::string& name, const std::string& folder,
                                   const std::function<Result<DistanceField>()>& make) {
     if (folder.empty()) return make();

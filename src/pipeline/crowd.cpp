@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace kushi {
 
@@ -13,6 +14,11 @@ constexpr float voxelSize = 0.005F;  // m
 constexpr std::size_t shares = 4;    // grids that are filled side by side
 
 }  // namespace
+
+void appendThick(const Strands& strands, std::vector<ThickStrand>& all) {
+    for (std::size_t i = 0; i < strands.size(); ++i)
+        all.push_back({strands.strand(i), strands.diameters[strands.offsets[i]]});
+}
 
 Voxels voxelsFor(std::span<const ThickStrand> strands) {
     std::vector<Vec3f> places;
@@ -26,9 +32,9 @@ Density densityOf(std::span<const ThickStrand> strands, const Voxels& voxels, in
     const std::size_t each = (strands.size() + shares - 1) / shares;
     parallelFor(shares, 1, threads, [&](std::size_t begin, std::size_t /*end*/) {
         const std::size_t first = std::min(begin * each, strands.size());
-        for (const auto& [nodes, section] :
+        for (const auto& [nodes, diameter] :
              strands.subspan(first, std::min(each, strands.size() - first)))
-            parts[begin].add(nodes, section);
+            parts[begin].add(nodes, std::numbers::pi / 4 * diameter * diameter);
     });
     for (std::size_t i = 1; i < shares; ++i)
         parts[0].add(parts[i]);

@@ -3,6 +3,8 @@
 
 #include "contact/density.h"
 
+#include <kushi/strands.h>
+
 #include <span>
 #include <vector>
 
@@ -11,8 +13,11 @@ namespace kushi {
 /// A strand and how thick it is.
 struct ThickStrand {
     std::span<const Vec3f> nodes;
-    double section = 0;  ///< m2
+    double diameter = 0;  ///< m
 };
+
+/// Strands with diameters, as thick as they are at their roots.
+void appendThick(const Strands& strands, std::vector<ThickStrand>& all);
 
 /// How much of each voxel of 5 mm is hair. The same from any number of threads.
 Density densityOf(std::span<const ThickStrand> strands, const Voxels& voxels, int threads);

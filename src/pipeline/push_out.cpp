@@ -7,7 +7,6 @@
 
 #include <kushi/push_out.h>
 
-#include <algorithm>
 #include <atomic>
 
 namespace kushi {
@@ -26,10 +25,8 @@ Penetration penetrationOf(const DistanceField& solids, const Strands& groom, int
             depths[i] = deepestPoint(obstacles, groom.strand(i));
     });
     Penetration found;
-    for (const double depth : depths) {
-        found.deepest = std::max(found.deepest, depth);
-        found.strands += depth > insideFrom ? 1 : 0;
-    }
+    for (const double depth : depths)
+        include(depth, found);
     return found;
 }
 

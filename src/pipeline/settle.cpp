@@ -6,6 +6,7 @@
 #include "pipeline/hair_color.h"
 #include "pipeline/penetration.h"
 #include "pipeline/settle_part.h"
+#include "pipeline/solids.h"
 #include "pipeline/sources.h"
 #include "pipeline/stopwatch.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace kushi {
 
@@ -35,8 +35,7 @@ Vec3f innerEnd(const Part& part, Vec3d root) {
     return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
 }
 
-// In which hair that is too close pushes itself apart.
-constexpr int rounds = 3;
+constexpr int rounds = 3;  // of loosen()
 
 // What a block of consecutive follicles has become.
 struct Block {
@@ -66,9 +65,7 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         appendDiameters(part.hair, nodes, block.strands.diameters);
         block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
         if (measured == nullptr) continue;
-        const double deepest = deepestPoint(*measured, nodes);
-        block.found.deepest = std::max(block.found.deepest, deepest);
-        block.found.strands += deepest > insideFrom ? 1 : 0;
+        include(deepestPoint(*measured, nodes), block.found);
     }
     return block;
 }
@@ -128,10 +125,7 @@ public:
           method_(method),
           solids_(solids.empty() ? nullptr : &solids),
           all_(static_cast<double>(all)) {
-        // In the order of solidsOf().
-        if (style.headCollides && style.headMesh != "none")
-            frictions_.push_back(static_cast<float>(style.headFriction));
-        for (const Collider& collider : style.colliders)
+        for (const Collider& collider : headAndColliders(style))
             frictions_.push_back(static_cast<float>(collider.friction));
     }
 
@@ -211,19 +205,12 @@ private:
 
     std::vector<ThickStrand> thickStrands() const {
         std::vector<ThickStrand> all;
-        const auto section = [](double diameter) {
-            return std::numbers::pi / 4 * diameter * diameter;
-        };
         for (const GrownPart& grown : grown_) {
             for (const auto nodes : grown.hair.strands())
-                all.push_back({nodes, section(grown.part->hair.diameter)});
+                all.push_back({nodes, grown.part->hair.diameter});
         }
-        for (const GroomOfPart& groom : grooms_) {
-            for (std::size_t i = 0; i < groom.strands.size(); ++i) {
-                const double diameter = groom.strands.diameters[groom.strands.offsets[i]];
-                all.push_back({groom.strands.strand(i), section(diameter)});
-            }
-        }
+        for (const GroomOfPart& groom : grooms_)
+            appendThick(groom.strands, all);
         return all;
     }
 
@@ -283,11 +270,7 @@ private:
 
     void measureCrowding() {
         std::vector<ThickStrand> all;
-        const Strands& strands = groom_.strands;
-        for (std::size_t i = 0; i < strands.size(); ++i) {
-            const double diameter = strands.diameters[strands.offsets[i]];
-            all.push_back({strands.strand(i), std::numbers::pi / 4 * diameter * diameter});
-        }
+        appendThick(groom_.strands, all);
         const Density density = densityOf(all, voxelsFor(all), options_.threads);
         groom_.report.crowding = {double{density.largestPacking()}, density.volume(1e-3F)};
     }
@@ -328,7 +311,7 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
         grows ? solidsOf(style, options.cacheFolder, options.threads) : DistanceField();
     if (!solids) return solids.problems();
     const double solidsTime = stopwatch.lap();
-    const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count);
+    const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count, options.head);
     if (!sources) return sources.problems();
     const double plantTime = stopwatch.lap();
 

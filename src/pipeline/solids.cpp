@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "pipeline/solids.h"
+
 #include "io/field_cache.h"
 
 #include <kushi/head.h>
 #include <kushi/settle.h>
 
-#include <array>
-#include <bit>
+#include <span>
 
 namespace kushi {
 
@@ -17,26 +18,10 @@ Result<Mesh> meshOf(const std::string& mesh, const MeshPlacement& placement) {
     return readMesh(mesh, placement);
 }
 
-std::string nameOfMannequin(double gap) {
-    // Its key in the place of its places.
-    Solid solid;
-    solid.mesh.vertices = {std::bit_cast<std::array<Vec3f, 1>>(
-        std::array<std::uint32_t, 3>{static_cast<std::uint32_t>(mannequinKey),
-                                     static_cast<std::uint32_t>(mannequinKey >> 32U), 1})[0]};
-    solid.offset = gap;
-    return fieldName({&solid, 1}, {});
-}
-
-}  // namespace
-
-Result<Mesh> headOf(const Style& style) {
-    return meshOf(style.headMesh, style.headPlacement);
-}
-
-Result<std::vector<Mesh>> collidersOf(const Style& style) {
+Result<std::vector<Mesh>> meshesOf(std::span<const Collider> colliders) {
     std::vector<Mesh> meshes;
     std::vector<Problem> problems;
-    for (const Collider& collider : style.colliders) {
+    for (const Collider& collider : colliders) {
         Result<Mesh> mesh = meshOf(collider.mesh, collider.placement);
         if (mesh) {
             meshes.push_back(std::move(mesh).value());
@@ -48,26 +33,38 @@ Result<std::vector<Mesh>> collidersOf(const Style& style) {
     return meshes;
 }
 
+}  // namespace
+
+Result<Mesh> headOf(const Style& style) {
+    return meshOf(style.headMesh, style.headPlacement);
+}
+
+Result<std::vector<Mesh>> collidersOf(const Style& style) {
+    return meshesOf(style.colliders);
+}
+
+std::vector<Collider> headAndColliders(const Style& style) {
+    std::vector<Collider> all;
+    if (style.headCollides && style.headMesh != "none")
+        all.push_back({style.headMesh, style.headPlacement, style.headGap, style.headFriction});
+    all.insert(all.end(), style.colliders.begin(), style.colliders.end());
+    return all;
+}
+
 Result<DistanceField> solidsOf(const Style& style, const std::string& cacheFolder, int threads) {
-    Style all;
-    all.colliders = style.colliders;
-    std::vector<Collider>& colliders = all.colliders;
-    if (style.headCollides && style.headMesh != "none") {
-        colliders.insert(colliders.begin(),
-                         {style.headMesh, style.headPlacement, style.headGap, 0});
-    }
+    const std::vector<Collider> colliders = headAndColliders(style);
     DistanceFieldOptions options;
     options.threads = threads;
-    std::vector<Solid> solids;
     // The built-in head need not be made to be known.
     if (colliders.size() == 1 && colliders[0].mesh == "mannequin") {
-        return cachedField(nameOfMannequin(colliders[0].gap), cacheFolder, [&] {
+        return cachedField(fieldName(mannequinKey, colliders[0].gap), cacheFolder, [&] {
             const Solid head = {mannequin(), colliders[0].gap};
             return distanceFieldOf({&head, 1}, options);
         });
     }
-    Result<std::vector<Mesh>> meshes = collidersOf(all);
+    Result<std::vector<Mesh>> meshes = meshesOf(colliders);
     if (!meshes) return meshes.problems();
+    std::vector<Solid> solids;
     for (std::size_t i = 0; i < colliders.size(); ++i)
         solids.push_back({std::move((*meshes)[i]), colliders[i].gap});
     return cachedField(fieldName(solids, options), cacheFolder,

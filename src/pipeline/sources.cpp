@@ -84,9 +84,13 @@ Result<PartSource> resized(PartSource source, const Part& part, const Contact& c
 
 }  // namespace
 
-Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count) {
-    const Result<Mesh> head = growsFromHead(style) ? headOf(style) : Mesh{};
-    if (!head) return head.problems();
+Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count,
+                                          const Mesh* head) {
+    if (head == nullptr) {
+        const Result<Mesh> read = growsFromHead(style) ? headOf(style) : Mesh{};
+        if (!read) return read.problems();
+        return sourcesOf(style, count, &*read);
+    }
     std::vector<PartSource> all;
     std::vector<std::size_t> sizes;
     for (const Part& part : style.parts) {

@@ -21,6 +21,9 @@ struct PartSource {
 
 /// The sources of every part, with as many strands in all as asked for: in proportion to what the
 /// parts have, but no more of a groom than its file has.
-Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count);
+///
+/// head  of the style; null: it is read or made if hair grows from it
+Result<std::vector<PartSource>> sourcesOf(const Style& style, std::optional<std::size_t> count,
+                                          const Mesh* head);
 
 }  // namespace kushi

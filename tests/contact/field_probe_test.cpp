@@ -165,29 +165,16 @@ TEST(FieldProbe, IsAMetreAwayOutsideOfTheGrid) {
             const FieldProbe seen = probe(field, onGrid(field, u));
             EXPECT_EQ(seen.distance, 1) << far;
             EXPECT_EQ(length(gradientOf(seen)), 0) << far;
-            EXPECT_EQ(roughDistance(field, onGrid(field, u)), 1) << far;
         }
     }
     for (const Vec3d beyond : {Vec3d{11.6, 0, 0}, Vec3d{0, 10.6, 0}, Vec3d{0, 0, 12.6}}) {
         const Vec3d u = {std::max(beyond.x, middle.x), std::max(beyond.y, middle.y),
                          std::max(beyond.z, middle.z)};
         EXPECT_EQ(probe(field, onGrid(field, u)).distance, 1);
-        EXPECT_EQ(roughDistance(field, onGrid(field, u)), 1);
     }
     // Two spacings from the border it is known.
     for (const Vec3d u : {Vec3d{2, 2, 2}, last - Vec3d{2, 2, 2}})
         EXPECT_LT(std::abs(probe(field, onGrid(field, u)).distance), 0.1F);
-}
-
-TEST(RoughDistance, IsThatOfTheNextSample) {
-    const DistanceField field = rest::bust();
-    Places places;
-    for (int i = 0; i < 2000; ++i) {
-        const Vec3d at = {places.between(-0.24, 0.19), places.between(-0.64, 0.14),
-                          places.between(-0.29, 0.29)};
-        const float rough = roughDistance(field, at.as<float>());
-        EXPECT_NEAR(rough, std::clamp(rest::bustDistance(at), -0.32, 0.32), 0.88 * h);
-    }
 }
 
 }  // namespace

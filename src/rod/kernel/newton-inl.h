@@ -125,8 +125,8 @@ public:
         MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
         V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
         for (int step = 0;; ++step) {
-            curvature_ = select(at.residual < V(1e-2F), V(1), number<V>(options.curvature));
-            if (step == 0) curvature_ = number<V>(options.curvature);
+            const V little = number<V>(options.curvature);
+            curvature_ = step == 0 ? little : select(at.residual < V(1e-2F), V(1), little);
             load(at.share);
             const V before = at.residual;
             if (any(closing) && !any(!(closing | at.settled))) {
@@ -347,7 +347,7 @@ private:
             Nearness<V> near;
             const bool found = support.field.look(at, skin, near);
             nearest = least(nearest, near.distance);
-            if (found && any(near.distance < skin)) spring(near);
+            if (found) spring(near);
         }
         return nearest;
     }

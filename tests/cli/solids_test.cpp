@@ -59,7 +59,8 @@ length = 16
 )";
 }
 
-// The block, its style, and a groom of two strands of 16 cm, one of them through its middle.
+// The block, its style, and a groom of two strands of 16 cm, one of them through it, nowhere as near
+// to one face as to another.
 std::string folderWithBlock() {
     const std::string folder = freshFolder();
     writeText(folder + "/block.obj", block);
@@ -69,7 +70,7 @@ std::string folderWithBlock() {
     for (const float y : {0.0F, 0.2F}) {
         nodes.clear();
         for (int j = 0; j <= 16; ++j)
-            nodes.push_back({-0.08F + 0.01F * static_cast<float>(j), y, 0.01F});
+            nodes.push_back({-0.078F + 0.01F * static_cast<float>(j), y, 0.013F});
         groom.add(nodes, 0);
     }
     groom.keys.clear();

@@ -2,6 +2,7 @@
 //
 // The shipped hairstyles, settled and measured.
 #include "cli/crossings.h"
+#include "fields.h"
 
 #include <kushi/draw.h>
 #include <kushi/head.h>
@@ -24,6 +25,7 @@ SettledGroom settled(const std::string& name, std::size_t count) {
     EXPECT_TRUE(style.ok());
     SettleOptions options;
     options.count = count;
+    options.cacheFolder = fieldCache();
     return std::move(*settle(*style, options));
 }
 
@@ -37,6 +39,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         EXPECT_FALSE(style->name.empty()) << entry.path();
         SettleOptions options;
         options.count = 200;
+        options.cacheFolder = fieldCache();
         const Result<SettledGroom> groom = settle(*style, options);
         ASSERT_TRUE(groom.ok()) << entry.path();
         EXPECT_GT(groom->strands.size(), 150U) << entry.path();
@@ -57,6 +60,7 @@ TEST(ShippedStyles, TheOneInTheReadmeWorks) {
     ASSERT_TRUE(style.ok()) << toString(style.problems()[0]);
     SettleOptions options;
     options.count = 500;
+    options.cacheFolder = fieldCache();
     EXPECT_GT(settle(*style, options)->strands.size(), 450U);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whole heads of hair against the triangles that they are kept out of.
+#include "fields.h"
 #include "pipeline/hair_in_mesh.h"
 
 #include <kushi/head.h>
@@ -28,11 +29,6 @@ const Mesh& head() {
 const test::SolidMesh& solidHead() {
     static const test::SolidMesh solid(head());
     return solid;
-}
-
-// Fields are kept here from one test to the next.
-std::string cache() {
-    return testing::TempDir() + "kushi_solids_test";
 }
 
 struct Gravity {
@@ -104,7 +100,7 @@ TEST_P(ShippedStyle, LeavesTheHeadAlone) {
     const auto style = readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/" + GetParam() + ".toml");
     ASSERT_TRUE(style.ok());
     SettleOptions options;
-    options.cacheFolder = cache();
+    options.cacheFolder = test::fieldCache();
     int which = 0;
     for (const double length : {0.1, 0.25, 0.5, 0.9}) {
         // Long curls take long.

@@ -9,6 +9,7 @@
 #include <kushi/distance_field.h>
 #include <kushi/draw.h>
 #include <kushi/ellipsoid.h>
+#include <kushi/fibre.h>
 #include <kushi/follicles.h>
 #include <kushi/groom_io.h>
 #include <kushi/head.h>

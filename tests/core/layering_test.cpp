@@ -40,6 +40,7 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"settle_groom.h", "pipeline"},
                                                          {"settle.h", "pipeline"},
                                                          {"push_out.h", "pipeline"},
+                                                         {"fibre.h", "shading"},
                                                          {"shade.h", "shading"},
                                                          {"camera.h", "render"},
                                                          {"draw.h", "render"}};

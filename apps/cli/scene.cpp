@@ -6,6 +6,7 @@
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
 #include <kushi/shade.h>
+#include <kushi/shadows.h>
 
 #include <charconv>
 
@@ -88,12 +89,12 @@ Camera portrait(const Scene& scene, View view, double aspect) {
 }
 
 Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock) {
-    const Lights lights = studioLights();
-    HairLook look;
-    look.body = scene.body;
+    const Lights lights = portraitLights();
     std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, look, camera.eye, colors, options.threads);
-    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+    const Shadows shadows(scene.strands, scene.head, lights, options.threads);
+    clock.end("shadows");
+    shade(scene.strands, lights, shadows, FibreLook(), camera.eye, colors, options.threads);
+    scene.head.colors = shadeMatt(scene.head, lights, scene.skin, shadows);
     clock.end("shade");
     Image image = draw(scene.strands, colors, scene.head, camera, options);
     clock.end("draw");

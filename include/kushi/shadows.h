@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace kushi {
 
@@ -23,23 +24,28 @@ struct Passage {
 /// map of depths for each light. Neither depends on the eye, so they hold for all pictures.
 class Shadows {
 public:
-    /// Hair with diameters, or as if 75 micrometres thick.
-    ///
+    /// hair     with diameters, or as if 75 micrometres thick
+    /// head     may have no triangles
     /// threads  0: as many as the machine has; the same shadows from any number
     Shadows(const Strands& hair, const Mesh& head, const Lights& lights, int threads = 0);
     ~Shadows();
     Shadows(Shadows&&) noexcept;
     Shadows& operator=(Shadows&&) noexcept;
 
-    /// What comes of each of the distant lights; as many passages.
-    void at(Vec3f place, std::span<Passage> distant) const;
-
-    /// What comes of the light from everywhere, from the half of all directions about a unit
-    /// `side`, and from the other half.
+    /// The light from everywhere, from the half of all directions about some side and from the
+    /// other half.
     struct Sky {
         Passage here, beyond;
     };
-    Sky skyAt(Vec3f place, Vec3f side) const;
+    /// What comes to a place.
+    ///
+    /// side     unit
+    /// distant  one for each of the distant lights; overwritten
+    Sky at(Vec3f place, Vec3f side, std::span<Passage> distant) const;
+
+    /// Fibres between each of the nodes and an eye, roughly: as if it looked along the same
+    /// direction at all of them.
+    std::vector<float> crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye, int threads) const;
 
 private:
     struct Fields;

@@ -52,7 +52,7 @@ private:
 
 }  // namespace
 
-std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight) {
+std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight, float ahead) {
     std::vector<float> crossed(grid.cells.size());
     if (grid.empty()) return crossed;
     const std::array<float, 3> towards = {towardsLight.x, towardsLight.y, towardsLight.z};
@@ -70,6 +70,7 @@ std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight) {
     const Layer::Between between = {aside - static_cast<float>(rowStep),
                                     along - static_cast<float>(columnStep)};
     const float half = 0.5F * grid.size / most;
+    const float share = ahead * most;
 
     const std::array<std::size_t, 3> strides = {grid.index(1, 0, 0), grid.index(0, 1, 0), 1};
     const int layers = grid.counts[axis];
@@ -84,13 +85,13 @@ std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight) {
                                static_cast<std::size_t>(row) * strides[rowAxis];
             for (int column = 0; column < columns; ++column, cell += strides[columnAxis]) {
                 const float perMetre = grid.cells[cell].crossings(towardsLight);
-                const float sum =
-                    before.crossed(row + rowStep, column + columnStep, between) +
+                const float sofar = before.crossed(row + rowStep, column + columnStep, between);
+                const float onTheWay =
                     half * (perMetre +
                             before.perMetre(row + rowStep, column + columnStep, between));
                 here.perMetre(row, column) = perMetre;
-                here.crossed(row, column) = sum;
-                crossed[cell] = sum;
+                here.crossed(row, column) = sofar + onTheWay;
+                crossed[cell] = sofar + (1 - share) * onTheWay;
             }
         }
         std::swap(before, here);

@@ -12,6 +12,8 @@ namespace kushi {
 /// cubes, and the way from there. So shadows get softer with depth, as those of a lamp with a size.
 ///
 /// towardsLight  unit
-std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight);
+/// ahead         what is given is for the place this share of a cube nearer to the light, in [0, 1]:
+///               hair does not lie in its own shadow
+std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight, float ahead);
 
 }  // namespace kushi

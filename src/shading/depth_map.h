@@ -10,6 +10,8 @@ namespace kushi {
 /// A mesh seen from a light far away: what it hides from the light.
 class DepthMap {
 public:
+    /// Of nothing.
+    DepthMap() = default;
     /// towardsLight  unit
     /// texel         edge of the map's squares [m], > 0
     DepthMap(const Mesh& mesh, Vec3f towardsLight, float texel);
@@ -31,7 +33,7 @@ private:
     void cover(const Place& a, const Place& b, const Place& c);
 
     Vec3f towards_, right_, up_;
-    float texel_;
+    float texel_ = 1;
     float left_ = 0, bottom_ = 0;  // of the map's first square's middle [m]
     int width_ = 0, height_ = 0;
     std::vector<float> nearest_;  // depth of the mesh

@@ -120,8 +120,8 @@ FarField::FarField(const Fibre& fibre) {
                 halfCircle(row, j, 1),
                 halfCircle(row, j, 2)};
             Entry& to = entries_.emplace_back();
-            std::ranges::transform(entry, to.begin(),
-                                   [](double x) { return static_cast<float>(x); });
+            for (std::size_t k = 0; k < 8; ++k)
+                to[k / 4][k % 4] = static_cast<float>(entry[k]);
         }
     }
     albedos_.reserve(pigments);
@@ -146,22 +146,27 @@ FarField::FarField(const Fibre& fibre) {
     }
 }
 
-FarField::Around FarField::around(float sinHalf, float phi) const {
-    const float row = std::min(std::abs(sinHalf), 0.9999F) * (rows - 1);
-    const float column = std::clamp(phi * static_cast<float>((columns - 1) / pi), 0.0F,
-                                    static_cast<float>(columns - 1) - 0.001F);
-    const auto i = static_cast<std::size_t>(row);
-    const auto j = static_cast<std::size_t>(column);
-    const float u = row - static_cast<float>(i);
-    const float v = column - static_cast<float>(j);
-    const Entry* const at = &entries_[i * columns + j];
-    Entry mixed;
-    for (std::size_t k = 0; k < mixed.size(); ++k) {
-        const float one = at[0][k] + v * (at[1][k] - at[0][k]);
-        const float two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
-        mixed[k] = one + u * (two - one);
+FarField::Around FarField::around(Lanes sinHalf, Lanes phi) const {
+    const Lanes row = least(sinHalf, lanes(0.9999F)) * (rows - 1);
+    const Lanes column = least(phi * static_cast<float>((columns - 1) / pi),
+                               lanes(static_cast<float>(columns - 1) - 0.001F));
+    std::array<Entry, 4> mixed;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        const auto i = static_cast<std::size_t>(row[lane]);
+        const auto j = static_cast<std::size_t>(column[lane]);
+        const float u = row[lane] - static_cast<float>(i);
+        const float v = column[lane] - static_cast<float>(j);
+        const Entry* const at = &entries_[i * columns + j];
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Lanes one = at[0][k] + v * (at[1][k] - at[0][k]);
+            const Lanes two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
+            mixed[lane][k] = one + u * (two - one);
+        }
     }
-    return {mixed[0], mixed[1], mixed[2], mixed[3], mixed[4], mixed[5], mixed[6], mixed[7]};
+    const auto all = [&](std::size_t k, std::size_t i) {
+        return Lanes{mixed[0][k][i], mixed[1][k][i], mixed[2][k][i], mixed[3][k][i]};
+    };
+    return {all(0, 0), all(0, 1), all(0, 2), all(0, 3), all(1, 0), all(1, 1), all(1, 2), all(1, 3)};
 }
 
 FarField::Albedo FarField::albedo(float absorption) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/lanes.h"
+
 #include <kushi/fibre.h>
 
 #include <array>
@@ -15,16 +17,17 @@ class FarField {
 public:
     explicit FarField(const Fibre& fibre);
 
-    /// What a clear fibre sends around itself [1/rad], and how far through it light has gone [radii].
+    /// What a clear fibre sends around itself [1/rad], and how far through it light has gone [radii],
+    /// for four lights at once.
     struct Around {
-        float r = 0, tt = 0, trt = 0;
-        float pathTt = 0, pathTrt = 0;
+        Lanes r, tt, trt;
+        Lanes pathTt, pathTrt;
         /// The same where light comes from all of the half circle about phi (Zinke et al. 2008).
-        float rHalf = 0, ttHalf = 0, trtHalf = 0;
+        Lanes rHalf, ttHalf, trtHalf;
     };
-    /// sinHalf  of half the difference between the angles to the normal plane, in [-1, 1]
+    /// sinHalf  of half the difference between the angles to the normal plane, in [0, 1]
     /// phi      between the two directions around the fibre, in [0, pi]
-    Around around(float sinHalf, float phi) const;
+    Around around(Lanes sinHalf, Lanes phi) const;
 
     /// What a fibre does to light on average over all that comes square to it or slanting.
     struct Albedo {
@@ -39,7 +42,7 @@ private:
     static constexpr std::size_t columns = 64;   // of phi
     static constexpr std::size_t pigments = 64;  // of absorption / (absorption + 0.5)
 
-    using Entry = std::array<float, 8>;
+    using Entry = std::array<Lanes, 2>;  // in the order of Around
     std::vector<Entry> entries_;
     std::vector<Albedo> albedos_;
 };

@@ -57,7 +57,7 @@ public:
             for (int piece = 0; piece < pieces; ++piece) {
                 const float share =
                     (static_cast<float>(piece) + 0.5F) / static_cast<float>(pieces);
-                sums_[cellOf(nodes[i] + share * step)] += sum;
+                sums_[grid_.cubeAt(nodes[i] + share * step)] += sum;
             }
         }
     }
@@ -65,15 +65,6 @@ public:
     const std::vector<Sum>& sums() const { return sums_; }
 
 private:
-    std::size_t cellOf(Vec3f place) const {
-        const Vec3f at = (place - grid_.low) / grid_.size;
-        const auto along = [](float x, int count) {
-            return std::clamp(static_cast<int>(x), 0, count - 1);
-        };
-        return grid_.index(along(at.x, grid_.counts[0]), along(at.y, grid_.counts[1]),
-                           along(at.z, grid_.counts[2]));
-    }
-
     const HairGrid& grid_;
     std::vector<Sum> sums_;
     float unit_;
@@ -85,6 +76,27 @@ Bounds finiteBounds(std::span<const Vec3f> nodes) {
         if (isFinite(node)) bounds.include(node);
     }
     return bounds;
+}
+
+/// Along one axis each cube shares half of what it has with its two neighbours, so that which cube
+/// a piece fell into matters less.
+void blur(std::vector<Sum>& sums, const HairGrid& grid, std::size_t axis) {
+    const std::array<std::size_t, 3> strides = {grid.index(1, 0, 0), grid.index(0, 1, 0), 1};
+    const std::size_t stride = strides[axis];
+    const auto count = static_cast<std::size_t>(grid.counts[axis]);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (i / stride % count != 0) continue;
+        Sum before;
+        for (std::size_t j = 0; j < count; ++j) {
+            Sum& sum = sums[i + j * stride];
+            const Sum here = sum;
+            const Sum after = j + 1 < count ? sums[i + (j + 1) * stride] : Sum();
+            sum = {(before.x + 2 * here.x + after.x) / 4, (before.y + 2 * here.y + after.y) / 4,
+                   (before.z + 2 * here.z + after.z) / 4,
+                   (before.area + 2 * here.area + after.area) / 4};
+            before = here;
+        }
+    }
 }
 
 }  // namespace
@@ -105,6 +117,15 @@ Vec3f HairGrid::middle(std::size_t cell) const {
     return low + size * Vec3f{static_cast<float>(row / rows) + 0.5F,
                               static_cast<float>(row % rows) + 0.5F,
                               static_cast<float>(cell % columns) + 0.5F};
+}
+
+std::size_t HairGrid::cubeAt(Vec3f place) const {
+    const Vec3f at = (place - low) / size;
+    // Written so that what is not a number lies in the first cube.
+    const auto along = [](float x, int count) {
+        return x > 0 ? static_cast<int>(std::min(x, static_cast<float>(count - 1))) : 0;
+    };
+    return index(along(at.x, counts[0]), along(at.y, counts[1]), along(at.z, counts[2]));
 }
 
 HairGrid hairGrid(const Strands& strands, int cells, int threads) {
@@ -138,6 +159,8 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
         for (std::size_t i = 0; i < sums.size(); ++i)
             sums[i] += splat.sums()[i];
     });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        blur(sums, grid, axis);
     const float scale = 1 / (perFace * grid.size);
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto& [x, y, z, area] = sums[i];
@@ -151,7 +174,7 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
     return grid;
 }
 
-GridSample sampleAt(const HairGrid& grid, Vec3f place) {
+GridPlace placeIn(const HairGrid& grid, Vec3f place) {
     const Vec3f at = (place - grid.low) / grid.size;
     std::array<std::size_t, 3> first{};
     std::array<float, 3> share{};
@@ -167,17 +190,17 @@ GridSample sampleAt(const HairGrid& grid, Vec3f place) {
     const auto strideY = static_cast<std::size_t>(grid.counts[2]);
     const std::size_t strideX = static_cast<std::size_t>(grid.counts[1]) * strideY;
     const std::size_t base = first[0] * strideX + first[1] * strideY + first[2];
-    GridSample sample{};
+    GridPlace found{};
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t x = i >> 2U;
         const std::size_t y = (i >> 1U) & 1U;
         const std::size_t z = i & 1U;
-        sample.at[i] = base + x * strideX + y * strideY + z;
-        sample.weights[i] = (x != 0 ? share[0] : 1 - share[0]) *
+        found.cubes[i] = base + x * strideX + y * strideY + z;
+        found.weights[i] = (x != 0 ? share[0] : 1 - share[0]) *
                             (y != 0 ? share[1] : 1 - share[1]) *
                             (z != 0 ? share[2] : 1 - share[2]);
     }
-    return sample;
+    return found;
 }
 
 }  // namespace kushi

@@ -33,6 +33,8 @@ struct HairGrid {
                static_cast<std::size_t>(z);
     }
     Vec3f middle(std::size_t cell) const;
+    /// The cube in which a place lies, or the one nearest to it.
+    std::size_t cubeAt(Vec3f place) const;
     bool empty() const { return cells.empty(); }
 };
 
@@ -43,20 +45,13 @@ struct HairGrid {
 /// cells    cubes along the longest side of the hair's bounds, about; none is smaller than 3 mm
 HairGrid hairGrid(const Strands& strands, int cells, int threads);
 
-/// A value per cube, between whose centres it is interpolated.
-struct GridSample {
-    std::array<std::size_t, 8> at;
+/// The eight cubes between whose centres a place lies, by x, then y, then z. Beyond the centres of
+/// the outermost cubes their values go on.
+struct GridPlace {
+    std::array<std::size_t, 8> cubes;
     std::array<float, 8> weights;  ///< 1 in all
-
-    float of(const std::vector<float>& values) const {
-        float sum = 0;
-        for (std::size_t i = 0; i < 8; ++i)
-            sum += weights[i] * values[at[i]];
-        return sum;
-    }
 };
 
-/// Beyond the centres of the outermost cubes their values go on.
-GridSample sampleAt(const HairGrid& grid, Vec3f place);
+GridPlace placeIn(const HairGrid& grid, Vec3f place);
 
 }  // namespace kushi

@@ -44,8 +44,8 @@ std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, std::span<con
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const Vec3f normal = mesh.normals[i];
         const Vec3f place = mesh.vertices[i] + skinAbove * normal;
-        shadows.at(place, passages);
-        Rgb light = lights.ambient * reaching(shadows.skyAt(place, normal).here);
+        const Shadows::Sky sky = shadows.at(place, normal, passages);
+        Rgb light = lights.ambient * reaching(sky.here);
         for (std::size_t j = 0; j < passages.size(); ++j) {
             const float facing = std::max(0.0F, dot(normal, lights.distant[j].direction));
             light += lights.distant[j].color * (facing * reaching(passages[j]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <kushi/shadows.h>
 
+#include "core/lanes.h"
 #include "core/parallel.h"
 #include "shading/crossings.h"
 #include "shading/depth_map.h"
@@ -8,20 +9,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace kushi {
 
 namespace {
 
 constexpr int gridCells = 64;          // along the longest side of the hair
+constexpr float ownHair = 0.55F;       // cubes; with it as much light passes as rays say
 constexpr std::size_t skyLights = 16;  // that stand for light from everywhere
-// Hair does not lie in its own shadow: it is looked for this share of a cube nearer to the light.
-constexpr float ownHair = 0.4F;
+constexpr float mostCrossings = 14;    // where nothing of the sky comes
 constexpr float texel = 0.003F;        // of the head's maps for the lights [m]
 constexpr float skyTexel = 0.006F;
-constexpr float mostCrossings = 14;    // where nothing of the sky comes
-constexpr float slack = 0.004F;        // by which skin may lie behind itself [m]
+constexpr float slack = 0.004F;  // by which skin may lie behind itself [m]
 constexpr float skySlack = 0.008F;
 
 /// Directions spread evenly over the sphere, along a spiral.
@@ -31,23 +30,6 @@ Vec3f skyDirection(std::size_t i) {
     const double around = std::sqrt(1 - height * height);
     return Vec3d{around * std::cos(angle), height, around * std::sin(angle)}.as<float>();
 }
-
-/// What comes from either side along each axis, of the half of all directions there.
-struct SkyCube {
-    std::array<Passage, 6> sides;  // +x, -x, +y, -y, +z, -z
-
-    /// Between the sides by the squares of the direction's parts, which add up to 1.
-    Passage from(Vec3f direction) const {
-        const std::array<float, 3> parts = {direction.x, direction.y, direction.z};
-        Passage sum = {0, 0};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Passage& side = sides[2 * i + (parts[i] < 0 ? 1 : 0)];
-            sum.free += parts[i] * parts[i] * side.free;
-            sum.crossings += parts[i] * parts[i] * side.crossings;
-        }
-        return sum;
-    }
-};
 
 /// Sums over the directions of a side, weighted by how straight they come from it.
 struct SideSum {
@@ -59,23 +41,33 @@ struct SideSum {
         through += weight * lit * passing;
     }
     Passage passage() const {
+        const bool any = through > 1e-6F;
         return {free / weights,
-                through > 1e-6F ? std::min(std::log(free / through), mostCrossings)
-                                : mostCrossings};
+                any ? std::min(std::log(free / through), mostCrossings) : mostCrossings};
     }
+};
+
+/// A light and what hides it.
+struct FarLight {
+    Vec3f towards;
+    DepthMap head;
+    std::vector<float> crossings;  // per cube
 };
 
 }  // namespace
 
+/// Per cube some vectors of four:
+///
+///     free x, y, z of the sky's sides +x, +y, +z; the same of -x, -y, -z;
+///     crossings of +x, +y, +z; of -x, -y, -z;
+///     crossings towards the distant lights, four and four.
 struct Shadows::Fields {
-    struct OfLight {
-        Vec3f towards;
-        std::optional<DepthMap> head;
-        std::vector<float> crossings;  // per cube
-    };
+    static constexpr std::size_t ofSky = 4;
+
     HairGrid grid;
-    std::vector<OfLight> distant;
-    std::vector<SkyCube> sky;  // per cube
+    std::vector<FarLight> distant;
+    std::size_t stride = ofSky;
+    std::vector<Lanes> cubes;
 };
 
 Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, int threads) {
@@ -83,38 +75,48 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
     fields->grid = hairGrid(hair, gridCells, threads);
     const HairGrid& grid = fields->grid;
     const std::size_t count = lights.distant.size();
-    fields->distant.resize(count + skyLights);
-    parallelFor(count + skyLights, 1, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<FarLight>& all = fields->distant;
+    for (const Light& light : lights.distant)
+        all.push_back({normalized(light.direction), {}, {}});
+    for (std::size_t i = 0; i < skyLights; ++i)
+        all.push_back({skyDirection(i), {}, {}});
+    parallelFor(all.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const bool sky = i >= count;
-            const Vec3f towards =
-                sky ? skyDirection(i - count) : normalized(lights.distant[i].direction);
-            fields->distant[i].towards = towards;
-            fields->distant[i].crossings = crossingsTowards(grid, towards);
-            fields->distant[i].head.emplace(head, towards, sky ? skyTexel : texel);
+            FarLight& light = all[i];
+            light.crossings = crossingsTowards(grid, light.towards, ownHair);
+            light.head = DepthMap(head, light.towards, i < count ? texel : skyTexel);
         }
     });
 
-    fields->sky.resize(grid.cells.size());
+    fields->stride = Fields::ofSky + (count + 3) / 4;
+    fields->cubes.resize(grid.cells.size() * fields->stride);
     parallelFor(grid.cells.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3f middle = grid.middle(i);
-            std::array<SideSum, 6> sides;
-            for (std::size_t j = 0; j < skyLights; ++j) {
-                const Fields::OfLight& light = fields->distant[count + j];
-                const Vec3f towards = skyDirection(j);
-                const float lit = light.head->lit(middle, skySlack);
-                const float passing = std::exp(-light.crossings[i]);
+            std::array<std::array<SideSum, 3>, 2> sides;
+            for (std::size_t j = count; j < all.size(); ++j) {
+                const float lit = all[j].head.lit(middle, skySlack);
+                const float passing = std::exp(-all[j].crossings[i]);
+                const Vec3f towards = all[j].towards;
                 const std::array<float, 3> parts = {towards.x, towards.y, towards.z};
+                for (std::size_t k = 0; k < 3; ++k)
+                    sides[parts[k] < 0 ? 1 : 0][k].add(std::abs(parts[k]), lit, passing);
+            }
+            Lanes* const cube = &fields->cubes[i * fields->stride];
+            for (std::size_t side = 0; side < 2; ++side) {
                 for (std::size_t k = 0; k < 3; ++k) {
-                    sides[2 * k + (parts[k] < 0 ? 1 : 0)].add(std::abs(parts[k]), lit, passing);
+                    const Passage passage = sides[side][k].passage();
+                    cube[side][k] = passage.free;
+                    cube[2 + side][k] = passage.crossings;
                 }
             }
-            for (std::size_t k = 0; k < 6; ++k)
-                fields->sky[i].sides[k] = sides[k].passage();
+            for (std::size_t j = 0; j < count; ++j)
+                cube[Fields::ofSky + j / 4][j % 4] = all[j].crossings[i];
         }
     });
-    fields->distant.resize(count);
+    all.resize(count);
+    for (FarLight& light : all)
+        light.crossings = {};
     fields_ = std::move(fields);
 }
 
@@ -122,32 +124,54 @@ Shadows::~Shadows() = default;
 Shadows::Shadows(Shadows&&) noexcept = default;
 Shadows& Shadows::operator=(Shadows&&) noexcept = default;
 
-void Shadows::at(Vec3f place, std::span<Passage> distant) const {
+Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) const {
     const Fields& fields = *fields_;
     for (std::size_t i = 0; i < distant.size(); ++i)
-        distant[i] = {fields.distant[i].head->lit(place, slack), 0};
-    if (fields.grid.empty()) return;
-    for (std::size_t i = 0; i < distant.size(); ++i) {
-        const Vec3f ahead = place + (ownHair * fields.grid.size) * fields.distant[i].towards;
-        distant[i].crossings = sampleAt(fields.grid, ahead).of(fields.distant[i].crossings);
+        distant[i] = {fields.distant[i].head.lit(place, slack), 0};
+    if (fields.grid.empty()) return {};
+
+    const GridPlace found = placeIn(fields.grid, place);
+    const auto between = [&](std::size_t vector) {
+        Lanes sum{};
+        for (std::size_t i = 0; i < found.cubes.size(); ++i)
+            sum += found.weights[i] * fields.cubes[found.cubes[i] * fields.stride + vector];
+        return sum;
+    };
+    for (std::size_t i = 0; i < distant.size(); i += 4) {
+        const Lanes crossings = between(Fields::ofSky + i / 4);
+        for (std::size_t j = i; j < std::min(i + 4, distant.size()); ++j)
+            distant[j].crossings = crossings[j - i];
     }
+    // Between the sides by the squares of the direction's parts, which add up to 1.
+    const Lanes parts = {side.x, side.y, side.z, 0};
+    const Lanes shares = parts * parts;
+    const auto sum = [&](Lanes values) {
+        values *= shares;
+        return values[0] + values[1] + values[2];
+    };
+    const Lanes freeAbove = between(0);
+    const Lanes freeBelow = between(1);
+    const Lanes above = between(2);
+    const Lanes below = between(3);
+    const Lanes none{};
+    return {{sum(parts < none ? freeBelow : freeAbove), sum(parts < none ? below : above)},
+            {sum(parts < none ? freeAbove : freeBelow), sum(parts < none ? above : below)}};
 }
 
-Shadows::Sky Shadows::skyAt(Vec3f place, Vec3f side) const {
-    const Fields& fields = *fields_;
-    if (fields.grid.empty()) return {};
-    Sky sky = {{0, 0}, {0, 0}};
-    const auto add = [](Passage& sum, float weight, Passage one) {
-        sum.free += weight * one.free;
-        sum.crossings += weight * one.crossings;
-    };
-    const GridSample here = sampleAt(fields.grid, place + (ownHair * fields.grid.size) * side);
-    const GridSample beyond = sampleAt(fields.grid, place);
-    for (std::size_t i = 0; i < here.at.size(); ++i) {
-        add(sky.here, here.weights[i], fields.sky[here.at[i]].from(side));
-        add(sky.beyond, beyond.weights[i], fields.sky[beyond.at[i]].from(-side));
-    }
-    return sky;
+std::vector<float> Shadows::crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye,
+                                            int threads) const {
+    std::vector<float> before(nodes.size());
+    const HairGrid& grid = fields_->grid;
+    if (grid.empty()) return before;
+    const Vec3f middle = 0.5F * (grid.middle(0) + grid.middle(grid.cells.size() - 1));
+    const Vec3f way = eye - middle;
+    if (!(length(way) > 0)) return before;
+    const std::vector<float> crossings = crossingsTowards(grid, normalized(way), ownHair);
+    parallelFor(nodes.size(), 16384, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            before[i] = crossings[grid.cubeAt(nodes[i])];
+    });
+    return before;
 }
 
 }  // namespace kushi

@@ -132,6 +132,14 @@ void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
     command->callback([&] { status = runSettle(arguments); });
 }
 
+void addLook(CLI::App& command, std::string& look) {
+    command
+        .add_option("--look", look,
+                    "natural: fibres in their own shadow; paper: as in 1992, lines without shadow")
+        ->check(CLI::IsMember({"natural", "paper"}))
+        ->capture_default_str();
+}
+
 void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     CLI::App* command = program.add_subcommand("render", "Draw a style or a groom");
     command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
@@ -148,6 +156,7 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "front, back, left, right, top, three-quarter, or YAW,PITCH in degrees (left: from the "
             "person's left)")
         ->capture_default_str();
+    addLook(*command, arguments.look);
     addSettleFlags(*command, arguments.flags);
     command->add_option("--report", arguments.reportPath,
                         "Write counts, times and the share of scalp that shows as JSON");
@@ -174,6 +183,7 @@ void addSheet(CLI::App& program, SheetArguments& arguments, int& status) {
                      "Samples per pixel along each axis; strands are one sample wide")
         ->check(CLI::IsMember({1, 2, 4}))
         ->capture_default_str();
+    addLook(*command, arguments.look);
     addSettleFlags(*command, arguments.flags);
     command->footer(
         "One view of each makes a block, several make a row for each style.\n"

@@ -32,7 +32,7 @@ int runRender(const RenderArguments& arguments) {
     options.supersample = arguments.supersample;
     options.threads = arguments.flags.threads;
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
-    const Image image = drawScene(*scene, camera, options, clock);
+    const Image image = drawScene(*scene, camera, options, lookNamed(arguments.look), clock);
     if (const Status written = writePng(image, arguments.output); !written)
         return report(written.problems());
     clock.end("write");

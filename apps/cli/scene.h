@@ -31,8 +31,18 @@ Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool 
 /// picture.
 Camera portrait(const Scene& scene, View view, double aspect);
 
-/// The picture, by the studio's lights. Stages `shade` and `draw`.
-Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
+enum class Look {
+    Natural,  ///< fibres in their own shadow, by portrait lights, fit for a screen
+    Paper,    ///< that of 1992, by the studio's lights
+};
+
+/// "natural" or "paper".
+Look lookNamed(const std::string& name);
+
+/// The picture; `options` but for the background, which is the look's. Stages `shadows`, of the
+/// natural look, `shade` and `draw`.
+Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
+                StageClock& clock);
 
 /// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);

@@ -117,8 +117,9 @@ Look lookNamed(const std::string& name) {
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock) {
     const bool natural = look == Look::Natural;
-    const std::vector<Rgb> colors = natural ? naturalColors(scene, camera.eye, options.threads, clock)
-                                            : paperColors(scene, camera.eye, options.threads);
+    const std::vector<Rgb> colors = natural
+                                        ? naturalColors(scene, camera.eye, options.threads, clock)
+                                        : paperColors(scene, camera.eye, options.threads);
     clock.end("shade");
     options.background = natural ? backdrop : DrawOptions().background;
     Image image = draw(scene.strands, colors, scene.head, camera, options);

@@ -24,6 +24,7 @@
 #include <kushi/settle.h>
 #include <kushi/settle_groom.h>
 #include <kushi/shade.h>
+#include <kushi/shadows.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
 #include <kushi/vec.h>

@@ -30,7 +30,8 @@ struct Lights {
 /// a cool fill from the left; a rim from behind. In world axes, for a head that looks along +x.
 Lights studioLights();
 
-/// The same lights as photographers set them, farther apart in strength: for hair that casts shadows.
+/// The same lights as photographers set them, farther apart in strength: for hair that casts
+/// shadows.
 Lights portraitLights();
 
 /// How hair answers light in the paper's shading (ambient + diffuse + Blinn's specular on a
@@ -75,9 +76,9 @@ struct FibreLook {
                                    ///< fibre that pass light on (Zinke et al. 2008, d_f and d_b)
 };
 
-/// One linear colour per node, seen from `eye` [m], by dual scattering (Zinke, Yuksel, Weber & Keyser
-/// 2008) with the fibres of kushi/fibre.h seen from afar: light that meets no other fibre first,
-/// light that comes through n others, n being Poisson distributed about the crossings that
+/// One linear colour per node, seen from `eye` [m], by dual scattering (Zinke, Yuksel, Weber &
+/// Keyser 2008) with the fibres of kushi/fibre.h seen from afar: light that meets no other fibre
+/// first, light that comes through n others, n being Poisson distributed about the crossings that
 /// `shadows` knows, and what the hair close by sends back of both. Light from everywhere is taken
 /// as the mean over directions. Shadows make it dark beneath and between; what colour light has in
 /// the depth is that of the fibres it went through.

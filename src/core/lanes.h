@@ -50,8 +50,9 @@ inline Lanes exponential(Lanes x) {
 /// The angle in [0, pi] to 7e-5 rad (Abramowitz and Stegun 4.4.45); x in [-1, 1].
 inline Lanes arcCosine(Lanes x) {
     const Lanes size = x < 0 ? -x : x;
-    const Lanes angle = squareRoot(most(1 - size, lanes(0))) *
-                        (1.5707288F + size * (-0.2121144F + size * (0.0742610F + size * -0.0187293F)));
+    const Lanes angle =
+        squareRoot(most(1 - size, lanes(0))) *
+        (1.5707288F + size * (-0.2121144F + size * (0.0742610F + size * -0.0187293F)));
     return x < 0 ? 3.14159265F - angle : angle;
 }
 

@@ -87,8 +87,8 @@ std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight, fl
                 const float perMetre = grid.cells[cell].crossings(towardsLight);
                 const float sofar = before.crossed(row + rowStep, column + columnStep, between);
                 const float onTheWay =
-                    half * (perMetre +
-                            before.perMetre(row + rowStep, column + columnStep, between));
+                    half *
+                    (perMetre + before.perMetre(row + rowStep, column + columnStep, between));
                 here.perMetre(row, column) = perMetre;
                 here.crossed(row, column) = sofar + onTheWay;
                 crossed[cell] = sofar + (1 - share) * onTheWay;

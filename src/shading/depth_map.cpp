@@ -54,9 +54,9 @@ void DepthMap::cover(const Place& a, const Place& b, const Place& c) {
             const float ofC = (y * (b.u - a.u) - x * (b.v - a.v)) / area;
             if (ofB < 0 || ofC < 0 || ofB + ofC > 1) continue;
             const float depth = a.depth + ofB * (b.depth - a.depth) + ofC * (c.depth - a.depth);
-            float& nearest = nearest_[static_cast<std::size_t>(v) *
-                                          static_cast<std::size_t>(width_) +
-                                      static_cast<std::size_t>(u)];
+            float& nearest =
+                nearest_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) +
+                         static_cast<std::size_t>(u)];
             nearest = std::max(nearest, depth);
         }
     }

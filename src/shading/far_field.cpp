@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace kushi {
 
@@ -32,18 +33,17 @@ Row rowOf(const FibreModel<double>& model, double sinHalf, std::size_t columns) 
         const double gamma = -pi / 2 + (i + 0.5) * step;
         const double weight = 0.5 * std::cos(gamma) * step;
         const FibreView<double> view(model, std::sin(gamma), sinHalf, cosHalf);
-        auto clear = view.attenuations(0);
-        auto tinted = view.attenuations(reference);
-        clear[2] += clear[3];
-        tinted[2] += tinted[3];
+        const auto clear = view.attenuations(0);
+        const auto tinted = view.attenuations(reference);
         for (std::size_t j = 0; j < columns; ++j) {
             const double phi = pi * static_cast<double>(j) / static_cast<double>(columns - 1);
             for (std::size_t p = 0; p < 3; ++p) {
-                // Both sides of the circle, so that a row of one half holds all.
                 const double spread = view.around(p, phi);
                 row.clear[j][p] += weight * clear[p] * spread;
                 row.tinted[j][p] += weight * tinted[p] * spread;
             }
+            row.clear[j][2] += weight * clear[3] / (2 * pi);
+            row.tinted[j][2] += weight * tinted[3] / (2 * pi);
         }
     }
     return row;
@@ -66,26 +66,40 @@ double pathOf(double clear, double tinted) {
     return clear > 1e-9 && tinted > 1e-12 ? std::log(clear / tinted) / reference : 2;
 }
 
-/// Shares sent into the half circle away from the light and back, for light from `theta`.
-std::array<double, 2> halves(const Fibre& fibre, double absorption, double theta) {
-    const FibreModel<double> model(fibre);
-    std::array<double, 2> sums{};
+/// One place across a fibre: what it weighs, and how much of each way's light goes on into the half
+/// circle away from where it came.
+struct Slice {
+    double weight;
+    FibreView<double> view;
+    std::array<double, 4> forward;
+};
+
+std::vector<Slice> slicesAt(const FibreModel<double>& model, double theta) {
     constexpr int steps = 48;
     constexpr int angles = 48;
+    std::vector<Slice> slices;
     for (int i = 0; i < steps; ++i) {
         const double gamma = -pi / 2 + (i + 0.5) * pi / steps;
-        const double weight = 0.5 * std::cos(gamma) * pi / steps;
         const FibreView<double> view(model, std::sin(gamma), std::sin(theta), std::cos(theta));
-        const auto shares = view.attenuations(absorption);
+        Slice& slice =
+            slices.emplace_back(Slice{0.5 * std::cos(gamma) * pi / steps, view, {0, 0, 0, 0.5}});
         for (std::size_t p = 0; p < 3; ++p) {
-            double forward = 0;
             for (int j = 0; j < angles; ++j)
-                forward += view.around(p, pi / 2 + (j + 0.5) * pi / angles) * pi / angles;
-            sums[0] += weight * shares[p] * forward;
-            sums[1] += weight * shares[p] * (1 - forward);
+                slice.forward[p] += view.around(p, pi / 2 + (j + 0.5) * pi / angles) * pi / angles;
         }
-        sums[0] += 0.5 * weight * shares[3];
-        sums[1] += 0.5 * weight * shares[3];
+    }
+    return slices;
+}
+
+/// Shares sent on and back.
+std::array<double, 2> halves(std::span<const Slice> slices, double absorption) {
+    std::array<double, 2> sums{};
+    for (const Slice& slice : slices) {
+        const auto shares = slice.view.attenuations(absorption);
+        for (std::size_t p = 0; p < 4; ++p) {
+            sums[0] += slice.weight * shares[p] * slice.forward[p];
+            sums[1] += slice.weight * shares[p] * (1 - slice.forward[p]);
+        }
     }
     return sums;
 }
@@ -110,31 +124,34 @@ FarField::FarField(const Fibre& fibre) {
         for (std::size_t j = 0; j < columns; ++j) {
             const auto& clear = row.clear[j];
             const auto& tinted = row.tinted[j];
-            const std::array<double, 8> entry = {
-                clear[0],
-                clear[1],
-                clear[2],
-                pathOf(clear[1], tinted[1]),
-                pathOf(clear[2], tinted[2]),
-                halfCircle(row, j, 0),
-                halfCircle(row, j, 1),
-                halfCircle(row, j, 2)};
+            const std::array<double, 8> entry = {clear[0],
+                                                 clear[1],
+                                                 clear[2],
+                                                 pathOf(clear[1], tinted[1]),
+                                                 pathOf(clear[2], tinted[2]),
+                                                 halfCircle(row, j, 0),
+                                                 halfCircle(row, j, 1),
+                                                 halfCircle(row, j, 2)};
             Entry& to = entries_.emplace_back();
             for (std::size_t k = 0; k < 8; ++k)
                 to[k / 4][k % 4] = static_cast<float>(entry[k]);
         }
     }
+    // Fibres that meet light at all angles, most of it square.
+    constexpr std::array<double, 4> angles = {0, 0.35, 0.7, 1.05};
+    std::array<std::vector<Slice>, 4> slices;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        slices[i] = slicesAt(model, angles[i]);
     albedos_.reserve(pigments);
     for (std::size_t i = 0; i < pigments; ++i) {
         const double share = static_cast<double>(i) / pigments;
         const double absorption = static_cast<double>(halfway) * share / (1 - share);
-        // Fibres that meet light at all angles, most of it square.
         double forward = 0;
         double backward = 0;
         double weights = 0;
-        for (const double theta : {0.0, 0.35, 0.7, 1.05}) {
-            const double weight = std::cos(theta) * std::cos(theta);
-            const auto [on, back] = halves(fibre, absorption, theta);
+        for (std::size_t j = 0; j < angles.size(); ++j) {
+            const double weight = std::cos(angles[j]) * std::cos(angles[j]);
+            const auto [on, back] = halves(slices[j], absorption);
             forward += weight * on;
             backward += weight * back;
             weights += weight;

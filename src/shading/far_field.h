@@ -17,8 +17,8 @@ class FarField {
 public:
     explicit FarField(const Fibre& fibre);
 
-    /// What a clear fibre sends around itself [1/rad], and how far through it light has gone [radii],
-    /// for four lights at once.
+    /// What a clear fibre sends around itself [1/rad], and how far through it light has gone
+    /// [radii], for four lights at once.
     struct Around {
         Lanes r, tt, trt;
         Lanes pathTt, pathTrt;

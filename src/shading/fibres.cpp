@@ -64,32 +64,28 @@ public:
     /// tilt  by which this strand's scales differ [rad]
     Rgb node(Vec3f tangent, float tilt, Vec3f toEye, const Pigment& pigment,
              const Shadows::Sky& sky, std::span<const Passage> passages) const {
-        std::array<float, 3> sum = ambient(pigment, sky);
+        const Lanes forward = channels(pigment, &FarField::Albedo::forward);
+        const Lanes pastBehind = exponential(-sky.beyond.crossings * (1 - forward));
+        // What hair close by sends back, where there is any behind.
+        const Lanes near = channels(pigment, &FarField::Albedo::local) * (1 - pastBehind);
+        // From the eye's side hair sends light back, from beyond it lets it through.
+        const Lanes ambient = sky.here.free * exponential(-sky.here.crossings * (1 - forward)) *
+                                  (channels(pigment, &FarField::Albedo::backward) + near) +
+                              sky.beyond.free * pastBehind * forward;
+        Rgb sum = lights_.ambient * Rgb{ambient[0], ambient[1], ambient[2]};
         for (std::size_t i = 0; i < passages.size(); i += 4)
-            addLights(sum, i, tangent, tilt, toEye, pigment, passages);
-        return {sum[0], sum[1], sum[2]};
+            sum += fromLights(i, tangent, tilt, toEye, pigment, near, passages);
+        return sum;
     }
 
 private:
-    /// From the eye's side hair sends light back, from beyond it lets it through.
-    std::array<float, 3> ambient(const Pigment& pigment, const Shadows::Sky& sky) const {
-        const auto reaching = [](Passage passage, Lanes forward) {
-            return passage.free * exponential(-passage.crossings * (1 - forward));
-        };
-        const auto channels = [&](float FarField::Albedo::*part) {
-            return Lanes{pigment.albedo[0].*part, pigment.albedo[1].*part, pigment.albedo[2].*part,
-                         0};
-        };
-        const Lanes forward = channels(&FarField::Albedo::forward);
-        const Lanes back = channels(&FarField::Albedo::backward) +
-                           look_.density * channels(&FarField::Albedo::local);
-        const Lanes sum =
-            reaching(sky.here, forward) * back + reaching(sky.beyond, forward) * forward;
-        return {lights_.ambient.r * sum[0], lights_.ambient.g * sum[1], lights_.ambient.b * sum[2]};
+    static Lanes channels(const Pigment& pigment, float FarField::Albedo::*part) {
+        return Lanes{pigment.albedo[0].*part, pigment.albedo[1].*part, pigment.albedo[2].*part, 0};
     }
 
-    void addLights(std::array<float, 3>& sum, std::size_t first, Vec3f tangent, float tilt,
-                   Vec3f toEye, const Pigment& pigment, std::span<const Passage> passages) const {
+    /// What four lights from the first on add.
+    Rgb fromLights(std::size_t first, Vec3f tangent, float tilt, Vec3f toEye,
+                   const Pigment& pigment, Lanes near, std::span<const Passage> passages) const {
         const float sinOut = std::clamp(dot(tangent, toEye), -1.0F, 1.0F);
         const float cosOut = std::sqrt(1 - sinOut * sinOut);
         Lanes sinIn{};
@@ -112,11 +108,13 @@ private:
         const Lanes around = (facing - sinIn * sinOut) / most(cosIn * cosOut, lanes(1e-6F));
         const Lanes cosPhi = least(most(around, lanes(-1)), lanes(1));
         const std::array<Lanes, 3> share =
-            scattered({sinIn, cosIn, arcCosine(cosPhi), cosPhi}, sinOut, cosOut, tilt, pigment, crossings);
-        for (std::size_t c = 0; c < 3; ++c) {
+            scattered({sinIn, cosIn, arcCosine(cosPhi), cosPhi}, sinOut, cosOut, tilt, pigment,
+                      near, crossings);
+        const auto sum = [&](std::size_t c) {
             const Lanes product = light[c] * share[c];
-            sum[c] += (product[0] + product[1]) + (product[2] + product[3]);
-        }
+            return (product[0] + product[1]) + (product[2] + product[3]);
+        };
+        return {sum(0), sum(1), sum(2)};
     }
 
     /// M, with exp(-x) I0(x) to 1.4 %.
@@ -132,7 +130,7 @@ private:
 
     /// Response per channel to four lights, after so many crossings on average.
     std::array<Lanes, 3> scattered(const Directions& in, float sinOut, float cosOut, float tilt,
-                                   const Pigment& pigment, Lanes crossings) const {
+                                   const Pigment& pigment, Lanes near, Lanes crossings) const {
         const Lanes cosDifference = in.cosIn * cosOut + in.sinIn * sinOut;
         const Lanes sinHalf = squareRoot(most(0.5F - 0.5F * cosDifference, lanes(0)));
         const FarField::Around around = far_.around(sinHalf, in.phi);
@@ -156,21 +154,21 @@ private:
         }
         direct[0] *= around.r;
         passed[0] *= around.rHalf;
-        const Lanes back = (1 + in.cosPhi) * (1 / (2 * pi)) *
-                           stray(lanes(backVariance_), in, sinOut, cosOut);
+        const Lanes back =
+            (1 + in.cosPhi) * (1 / (2 * pi)) * stray(lanes(backVariance_), in, sinOut, cosOut);
 
         std::array<Lanes, 3> sum{};
         for (std::size_t c = 0; c < 3; ++c) {
             const Lanes tt = exponential(-pigment.absorption[c] * around.pathTt);
             const Lanes trt = exponential(-pigment.absorption[c] * around.pathTrt);
             const auto& albedo = pigment.albedo[c];
-            const Lanes near = look_.density * albedo.local * back;
+            const Lanes sentBack = look_.density * near[c] * back;
             const Lanes through =
                 look_.density * (exponential(-crossings * (1 - albedo.forward)) - none);
             sum[c] = none * (direct[0] + direct[1] * around.tt * tt + direct[2] * around.trt * trt +
-                             near) +
+                             sentBack) +
                      through * (passed[0] + passed[1] * around.ttHalf * tt +
-                                passed[2] * around.trtHalf * trt + near);
+                                passed[2] * around.trtHalf * trt + sentBack);
         }
         return sum;
     }

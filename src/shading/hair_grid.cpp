@@ -14,9 +14,9 @@ namespace kushi {
 
 namespace {
 
-constexpr float smallest = 0.003F;           // edge of a cube [m]
-constexpr float defaultDiameter = 75e-6F;    // m
-constexpr float perFace = 65536;             // units of area in the face of a cube
+constexpr float smallest = 0.003F;         // edge of a cube [m]
+constexpr float defaultDiameter = 75e-6F;  // m
+constexpr float perFace = 65536;           // units of area in the face of a cube
 constexpr std::size_t strandsAtATime = 2048;
 
 /// Fibre area in units, and the same times the direction.
@@ -55,8 +55,7 @@ public:
             const Sum sum = {rounded(step.x * along), rounded(step.y * along),
                              rounded(step.z * along), rounded(area)};
             for (int piece = 0; piece < pieces; ++piece) {
-                const float share =
-                    (static_cast<float>(piece) + 0.5F) / static_cast<float>(pieces);
+                const float share = (static_cast<float>(piece) + 0.5F) / static_cast<float>(pieces);
                 sums_[grid_.cubeAt(nodes[i] + share * step)] += sum;
             }
         }
@@ -135,24 +134,23 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
     const Vec3f extent = bounds.high - bounds.low;
     const float longest = std::max({extent.x, extent.y, extent.z});
     grid.size = std::max(smallest, longest / static_cast<float>(cells));
-    // A cube of margin, so that hair thins out towards the air.
-    grid.low = bounds.low - Vec3f{grid.size, grid.size, grid.size};
-    const auto along = [&](float size) { return 3 + static_cast<int>(size / grid.size); };
+    // Hair thins out over a cube of margin; in the outermost there is none.
+    grid.low = bounds.low - 2 * grid.size * Vec3f{1, 1, 1};
+    const auto along = [&](float size) { return 5 + static_cast<int>(size / grid.size); };
     grid.counts = {along(extent.x), along(extent.y), along(extent.z)};
     grid.cells.resize(grid.index(grid.counts[0], 0, 0));
 
     std::vector<Sum> sums(grid.cells.size());
     std::mutex merging;
-    const std::size_t grain =
-        std::max(strandsAtATime, (strands.size() + 3) / 4);
+    const std::size_t grain = std::max(strandsAtATime, (strands.size() + 3) / 4);
     parallelFor(strands.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
         Splat splat(grid);
         for (std::size_t i = begin; i < end; ++i) {
             const std::span<const Vec3f> nodes = strands.strand(i);
-            const auto diameters = strands.diameters.empty()
-                                       ? std::span<const float>()
-                                       : std::span(strands.diameters)
-                                             .subspan(strands.offsets[i], nodes.size());
+            const auto diameters =
+                strands.diameters.empty()
+                    ? std::span<const float>()
+                    : std::span(strands.diameters).subspan(strands.offsets[i], nodes.size());
             splat.add(nodes, diameters);
         }
         const std::scoped_lock lock(merging);
@@ -166,10 +164,9 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
         const auto& [x, y, z, area] = sums[i];
         if (area <= 0) continue;
         const float inverse = 1 / static_cast<float>(area);
-        grid.cells[i] = {Vec3f{static_cast<float>(x), static_cast<float>(y),
-                               static_cast<float>(z)} *
-                             inverse,
-                         static_cast<float>(area) * scale};
+        grid.cells[i] = {
+            Vec3f{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * inverse,
+            static_cast<float>(area) * scale};
     }
     return grid;
 }
@@ -196,9 +193,8 @@ GridPlace placeIn(const HairGrid& grid, Vec3f place) {
         const std::size_t y = (i >> 1U) & 1U;
         const std::size_t z = i & 1U;
         found.cubes[i] = base + x * strideX + y * strideY + z;
-        found.weights[i] = (x != 0 ? share[0] : 1 - share[0]) *
-                            (y != 0 ? share[1] : 1 - share[1]) *
-                            (z != 0 ? share[2] : 1 - share[2]);
+        found.weights[i] = (x != 0 ? share[0] : 1 - share[0]) * (y != 0 ? share[1] : 1 - share[1]) *
+                           (z != 0 ? share[2] : 1 - share[2]);
     }
     return found;
 }

@@ -21,10 +21,10 @@ struct HairGrid {
         float crossings(Vec3f direction) const;
     };
 
-    Vec3f low;                      ///< m, corner of the first cube
-    float size = 1;                 ///< m, of a cube's edges
+    Vec3f low;                       ///< m, corner of the first cube
+    float size = 1;                  ///< m, of a cube's edges
     std::array<int, 3> counts = {};  ///< cubes along x, y, z
-    std::vector<Cell> cells;        ///< z fastest
+    std::vector<Cell> cells;         ///< z fastest
 
     std::size_t index(int x, int y, int z) const {
         return (static_cast<std::size_t>(x) * static_cast<std::size_t>(counts[1]) +

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <kushi/shadows.h>
-
 #include "core/lanes.h"
 #include "core/parallel.h"
 #include "shading/crossings.h"
 #include "shading/depth_map.h"
+
+#include <kushi/shadows.h>
 
 #include <algorithm>
 #include <cmath>

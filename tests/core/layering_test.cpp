@@ -42,6 +42,7 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"push_out.h", "pipeline"},
                                                          {"fibre.h", "shading"},
                                                          {"shade.h", "shading"},
+                                                         {"shadows.h", "shading"},
                                                          {"camera.h", "render"},
                                                          {"draw.h", "render"}};
 

@@ -43,11 +43,18 @@ struct CheckArguments {
     int threads = 0;
 };
 
+/// The flags of every command that draws.
+struct StrokeFlags {
+    int supersample = 4;
+    std::string stroke = "sampled";
+    double widen = 1;
+};
+
 struct RenderArguments {
     std::string input, output, reportPath;
     std::string size = "1024x1024";
     std::string view = "three-quarter";
-    int supersample = 4;
+    StrokeFlags stroke;
     SettleFlags flags;
 };
 
@@ -56,7 +63,7 @@ struct SheetArguments {
     std::string output;
     std::string cell = "512x512";
     std::string views = "three-quarter";  ///< separated by slashes
-    int supersample = 4;
+    StrokeFlags stroke;
     SettleFlags flags;
 };
 

@@ -61,6 +61,22 @@ void addSettleFlags(CLI::App& command, SettleFlags& flags) {
         ->check(CLI::Range(1, 1024));
 }
 
+void addStrokeFlags(CLI::App& command, StrokeFlags& flags) {
+    command.add_option("--supersample", flags.supersample, "Samples per pixel along each axis")
+        ->check(CLI::IsMember({1, 2, 4}))
+        ->capture_default_str();
+    command
+        .add_option("--stroke", flags.stroke,
+                    "sampled (strands as wide as they are) or line (one sample wide, as in 1992)")
+        ->check(CLI::IsMember({"sampled", "line"}))
+        ->capture_default_str();
+    command
+        .add_option("--widen", flags.widen,
+                    "Times the width of strands, for --stroke sampled: k for every k-th strand")
+        ->check(between(1e-3, 1e6))
+        ->capture_default_str();
+}
+
 void addGroomFlags(CLI::App& command, GroomFlags& flags) {
     const auto scale = [&](const char* name, std::optional<double>& value, const char* what,
                            double least, double most) {
@@ -137,11 +153,7 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
     command->add_option("-o,--output", arguments.output, "The picture (.png)")->required();
     command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--supersample", arguments.supersample,
-                     "Samples per pixel along each axis; strands are one sample wide")
-        ->check(CLI::IsMember({1, 2, 4}))
-        ->capture_default_str();
+    addStrokeFlags(*command, arguments.stroke);
     command
         ->add_option(
             "--view", arguments.view,
@@ -169,11 +181,7 @@ void addSheet(CLI::App& program, SheetArguments& arguments, int& status) {
         ->capture_default_str();
     command->add_option("--cell", arguments.cell, "WIDTHxHEIGHT of each picture in pixels")
         ->capture_default_str();
-    command
-        ->add_option("--supersample", arguments.supersample,
-                     "Samples per pixel along each axis; strands are one sample wide")
-        ->check(CLI::IsMember({1, 2, 4}))
-        ->capture_default_str();
+    addStrokeFlags(*command, arguments.stroke);
     addSettleFlags(*command, arguments.flags);
     command->footer(
         "One view of each makes a block, several make a row for each style.\n"

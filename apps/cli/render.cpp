@@ -26,11 +26,7 @@ int runRender(const RenderArguments& arguments) {
     const bool reporting = !arguments.reportPath.empty();
     Result<Scene> scene = loadScene(arguments.input, arguments.flags, reporting, clock);
     if (!scene) return report(scene.problems());
-    DrawOptions options;
-    options.width = size->first;
-    options.height = size->second;
-    options.supersample = arguments.supersample;
-    options.threads = arguments.flags.threads;
+    const DrawOptions options = drawOptions(*size, arguments.stroke, arguments.flags.threads);
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
     const Image image = drawScene(*scene, camera, options, clock);
     if (const Status written = writePng(image, arguments.output); !written)

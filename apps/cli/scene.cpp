@@ -100,6 +100,17 @@ Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, 
     return image;
 }
 
+DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, int threads) {
+    DrawOptions options;
+    options.width = size.first;
+    options.height = size.second;
+    options.supersample = flags.supersample;
+    options.threads = threads;
+    options.stroke = flags.stroke == "line" ? Stroke::Line : Stroke::Sampled;
+    options.widen = static_cast<float>(flags.widen);
+    return options;
+}
+
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag) {
     int width = 0;
     int height = 0;

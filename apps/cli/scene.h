@@ -34,6 +34,9 @@ Camera portrait(const Scene& scene, View view, double aspect);
 /// The picture, by the studio's lights. Stages `shade` and `draw`.
 Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
 
+/// For a picture of width x height pixels.
+DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, int threads);
+
 /// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);
 

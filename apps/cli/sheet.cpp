@@ -75,11 +75,7 @@ int runSheet(const SheetArguments& arguments) {
         return report(outputs.problems());
     }
 
-    DrawOptions options;
-    options.width = size->first;
-    options.height = size->second;
-    options.supersample = arguments.supersample;
-    options.threads = arguments.flags.threads;
+    const DrawOptions options = drawOptions(*size, arguments.stroke, arguments.flags.threads);
     const auto pictures = static_cast<int>(arguments.inputs.size() * views->size());
     const int columns = columnsFor(arguments.inputs.size(), views->size());
     const int rows = (pictures + columns - 1) / columns;

@@ -12,18 +12,33 @@
 
 namespace kushi {
 
+/// How wide strands are drawn.
+enum class Stroke {
+    Line,     ///< one sample, whatever the distance: the paper's
+    Sampled,  ///< Strands::diameters in perspective, by the samples covered
+};
+
 struct DrawOptions {
     int width = 1024, height = 1024;  ///< pixels, 1 to 16384
     int supersample = 4;              ///< samples per pixel along each axis: 1, 2 or 4
     Rgb background = {0.72F, 0.73F, 0.75F};
     int threads = 0;  ///< 0: as many as the machine has
+    Stroke stroke = Stroke::Line;
+    /// Times the diameter, for strokes that have one: k where only every k-th strand is drawn, so
+    /// that as much stays covered. In (0, 1e6].
+    float widen = 1;
 };
 
-/// Draws strands as lines one sample wide, with a colour per node interpolated along each segment,
-/// and the mesh's triangles with their vertex colours, all depth-tested sample by sample; then
-/// averages each pixel's samples in linear light. (The paper: 4096 x 4096 filtered to 1024 x 1024.)
+/// Of strands that do not say [m].
+inline constexpr float drawnDiameter = 75e-6F;
+
+/// Draws strands with a colour per node interpolated along each segment, and the mesh's triangles
+/// with their vertex colours, all depth-tested sample by sample; then averages each pixel's samples
+/// in linear light. (The paper: lines, 4096 x 4096 filtered to 1024 x 1024.)
 ///
-/// A line of length l on the picture covers l samples on average, whatever its place and slope.
+/// A segment of length l and width w on the picture covers l w samples on average, whatever its
+/// place and slope, be w above or below one. Widths run linearly between nodes; a strand without
+/// diameters is 75 micrometres wide (drawnDiameter), one that is not finite or below zero has none.
 /// Shared nodes are drawn once: a segment owns its first node, not its last. The result does not
 /// depend on the number of threads. At equal depth the strand, then the segment, that comes first
 /// wins, and hair wins over the mesh. Segments and triangles with a corner that is not finite or

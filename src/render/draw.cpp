@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/horizon.h"
-#include "render/line.h"
 #include "render/near_first.h"
 #include "render/palette.h"
 #include "render/resolve.h"
+#include "render/stroke.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
 
@@ -62,8 +62,7 @@ private:
         nearFirst([&](std::uint32_t i, bool mayBeHidden) {
             const ScreenSegment segment = *scene_.segment(items.segments[i]);
             if (mayBeHidden && horizon_.hides(segment)) return;
-            const Line line = lineBetween(segment.a, segment.b, scene_.projection(), grid_);
-            drawLine(samples_, line, Palette::segmentId(i));
+            drawSegment(samples_, scene_, items.segments[i], segment, grid_, Palette::segmentId(i));
         });
     }
 
@@ -107,7 +106,7 @@ Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head
     const Projection projection(camera, grid.width, grid.height);
     if (!projection.valid()) return image;
 
-    const Scene scene(strands, head, projection, options.threads);
+    const Scene scene(strands, head, projection, options);
     forEachTile(scene, grid, options.threads,
                 [&]() -> TileWorker { return Painter(scene, grid, colors, options, image); });
     return image;

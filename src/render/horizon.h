@@ -19,9 +19,12 @@ public:
 
     /// Whether it is certain that the tile's samples would stay as they are if this were drawn.
     bool hides(const ScreenSegment& segment) const {
-        const auto& [a, b, from, to] = segment;
-        return hidesBox({std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y),
-                         std::max(a.y, b.y), std::max(a.q, b.q)});
+        const ScreenPoint& a = segment.a;
+        const ScreenPoint& b = segment.b;
+        const double margin = segment.margin();
+        return hidesBox({std::min(a.x, b.x) - margin, std::max(a.x, b.x) + margin,
+                         std::min(a.y, b.y) - margin, std::max(a.y, b.y) + margin,
+                         std::max(a.q, b.q)});
     }
     bool hides(const ScreenPolygon& polygon) const;
 
@@ -32,12 +35,10 @@ private:
     };
 
     bool hidesBox(const Box& box) const {
-        // Lines cover samples up to one away from them.
-        constexpr double margin = 1;
-        const std::size_t left = block(box.left - margin - x_);
-        const std::size_t right = block(box.right + margin - x_);
-        const std::size_t top = block(box.top - margin - y_);
-        const std::size_t bottom = block(box.bottom + margin - y_);
+        const std::size_t left = block(box.left - x_);
+        const std::size_t right = block(box.right - x_);
+        const std::size_t top = block(box.top - y_);
+        const std::size_t bottom = block(box.bottom - y_);
         for (std::size_t row = top; row <= bottom; ++row) {
             for (std::size_t column = left; column <= right; ++column) {
                 if (box.nearest >= farthest_[row * blocks + column]) return false;

@@ -3,11 +3,13 @@
 
 #include "render/projection.h"
 
+#include <kushi/draw.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,6 +23,11 @@ struct ScreenSegment {
 
     /// 1 / distance of its nearest point [1/m].
     float nearest() const { return static_cast<float>(std::max(a.q, b.q)); }
+    /// At its wider end [samples].
+    double widest() const { return std::max(a.width, b.width); }
+    /// How far from the line between a and b there may be samples of it, along either axis: the
+    /// corners of ribbons lie up to sqrt(1/2) widths away, and lines round by a half.
+    double margin() const { return 0.5 + 0.71 * widest(); }
 };
 
 /// A convex polygon on the picture: what the near plane leaves of a triangle.
@@ -44,7 +51,9 @@ struct ScreenPolygon {
 /// Strands and mesh as a camera sees them. Refers to both.
 class Scene {
 public:
-    Scene(const Strands& strands, const Mesh& mesh, const Projection& projection, int threads);
+    /// options  for how wide strands are, and the threads to work with
+    Scene(const Strands& strands, const Mesh& mesh, const Projection& projection,
+          const DrawOptions& options);
 
     const Strands& strands() const { return strands_; }
     const Mesh& mesh() const { return mesh_; }
@@ -58,6 +67,12 @@ public:
         return clippedSegment(firstNode);
     }
     ScreenPolygon triangle(std::uint32_t index) const;
+    /// The strand that a node belongs to.
+    std::size_t strandOf(std::uint32_t node) const;
+    bool beginsStrand(std::uint32_t node) const { return strands_.offsets[strandOf(node)] == node; }
+    bool endsStrand(std::uint32_t node) const {
+        return strands_.offsets[strandOf(node) + 1] == node + 1;
+    }
 
     /// Asks the memory for a segment that will be wanted soon.
     void prefetch(std::uint32_t firstNode) const { __builtin_prefetch(&nodes_[firstNode]); }
@@ -65,11 +80,15 @@ public:
 private:
     std::optional<ScreenSegment> clippedSegment(std::uint32_t firstNode) const;
     ScreenPolygon clippedTriangle(std::uint32_t index) const;
+    double diameter(std::size_t node) const;  // m
+    /// In samples, where 1 / distance is q.
+    double widthOf(double diameter, double q) const;
 
     const Strands& strands_;
     const Mesh& mesh_;
     Projection projection_;
     std::vector<StoredPoint> nodes_, vertices_;
+    double widthScale_;  // samples of a metre at a metre; 0: all strands are one sample wide
 };
 
 }  // namespace kushi

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/horizon.h"
-#include "render/line.h"
+#include "render/stroke.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
 
@@ -43,7 +43,7 @@ public:
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
             if (!segment || horizon_.hides(*segment)) continue;
-            drawLine(samples_, lineBetween(segment->a, segment->b, scene_.projection(), grid_), 0);
+            drawSegment(samples_, scene_, node, *segment, grid_, 0);
         }
         seen_ += countMarked();
     }
@@ -80,7 +80,7 @@ Showing countShowing(const Strands& strands, const Mesh& head, std::span<const s
     const Projection projection(camera, grid.width, grid.height);
     if (!projection.valid()) return {};
 
-    const Scene scene(strands, head, projection, options.threads);
+    const Scene scene(strands, head, projection, options);
     std::atomic<std::size_t> seen{0};
     std::atomic<std::size_t> bare{0};
     forEachTile(scene, grid, options.threads,

@@ -66,13 +66,15 @@ void addStrokeFlags(CLI::App& command, StrokeFlags& flags) {
         ->check(CLI::IsMember({1, 2, 4}))
         ->capture_default_str();
     command
-        .add_option("--stroke", flags.stroke,
-                    "sampled (strands as wide as they are) or line (one sample wide, as in 1992)")
-        ->check(CLI::IsMember({"sampled", "line"}))
+        .add_option(
+            "--stroke", flags.stroke,
+            "sampled (strands as wide as they are), analytic (the same, softer and slower) or line "
+            "(one sample wide, as in 1992)")
+        ->check(CLI::IsMember({"sampled", "analytic", "line"}))
         ->capture_default_str();
     command
         .add_option("--widen", flags.widen,
-                    "Times the width of strands, for --stroke sampled: k for every k-th strand")
+                    "Times the width of strands, for sampled and analytic: k for every k-th strand")
         ->check(between(1e-3, 1e6))
         ->capture_default_str();
 }

@@ -106,7 +106,9 @@ DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, int 
     options.height = size.second;
     options.supersample = flags.supersample;
     options.threads = threads;
-    options.stroke = flags.stroke == "line" ? Stroke::Line : Stroke::Sampled;
+    options.stroke = flags.stroke == "line"       ? Stroke::Line
+                     : flags.stroke == "analytic" ? Stroke::Analytic
+                                                  : Stroke::Sampled;
     options.widen = static_cast<float>(flags.widen);
     return options;
 }

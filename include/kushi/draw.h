@@ -14,8 +14,10 @@ namespace kushi {
 
 /// How wide strands are drawn.
 enum class Stroke {
-    Line,     ///< one sample, whatever the distance: the paper's
-    Sampled,  ///< Strands::diameters in perspective, by the samples covered
+    Line,      ///< one sample, whatever the distance: the paper's
+    Sampled,   ///< Strands::diameters in perspective, by the samples covered
+    Analytic,  ///< the same by the exact area of each pixel covered: softer, and three times as
+               ///< slow
 };
 
 struct DrawOptions {
@@ -39,6 +41,9 @@ inline constexpr float drawnDiameter = 75e-6F;
 /// A segment of length l and width w on the picture covers l w samples on average, whatever its
 /// place and slope, be w above or below one. Widths run linearly between nodes; a strand without
 /// diameters is 75 micrometres wide (drawnDiameter), one that is not finite or below zero has none.
+/// Analytic strokes are blended from near to far, segment by segment, as if what they cover of a
+/// pixel were spread over it; `supersample` is then for the mesh alone.
+///
 /// Shared nodes are drawn once: a segment owns its first node, not its last. The result does not
 /// depend on the number of threads. At equal depth the strand, then the segment, that comes first
 /// wins, and hair wins over the mesh. Segments and triangles with a corner that is not finite or
@@ -62,7 +67,7 @@ struct Showing {
 };
 
 /// Counts the samples of the picture draw() would make that show marked triangles of the head: with
-/// the paper's words, whether the scalp shows.
+/// the paper's words, whether the scalp shows. Analytic strokes count as Sampled.
 ///
 /// marked   one per triangle of `head`, not 0 where the triangle counts; the others only hide
 /// returns  nothing seen if an option is out of range or a size does not fit

@@ -2,6 +2,7 @@
 #include "render/scene.h"
 
 #include "core/parallel.h"
+#include "render/line.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,6 +39,7 @@ Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& project
       projection_(projection),
       nodes_(project(projection, strands.nodes, options.threads)),
       vertices_(project(projection, mesh.vertices, options.threads)),
+      widestLine_(options.stroke == Stroke::Analytic ? -1 : Line::widest),
       widthScale_(options.stroke == Stroke::Line ? 0 : options.widen * projection.focalLength()) {
     if (widthScale_ == 0) return;
     parallelFor(nodes_.size(), 65536, options.threads, [&](std::size_t begin, std::size_t end) {

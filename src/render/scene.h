@@ -67,6 +67,8 @@ public:
         return clippedSegment(firstNode);
     }
     ScreenPolygon triangle(std::uint32_t index) const;
+    /// Whether a segment is drawn as a ribbon and not as a line.
+    bool isRibbon(const ScreenSegment& segment) const { return segment.widest() > widestLine_; }
     /// The strand that a node belongs to.
     std::size_t strandOf(std::uint32_t node) const;
     bool beginsStrand(std::uint32_t node) const { return strands_.offsets[strandOf(node)] == node; }
@@ -88,6 +90,7 @@ private:
     const Mesh& mesh_;
     Projection projection_;
     std::vector<StoredPoint> nodes_, vertices_;
+    double widestLine_;  // samples
     double widthScale_;  // samples of a metre at a metre; 0: all strands are one sample wide
 };
 

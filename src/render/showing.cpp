@@ -80,7 +80,9 @@ Showing countShowing(const Strands& strands, const Mesh& head, std::span<const s
     const Projection projection(camera, grid.width, grid.height);
     if (!projection.valid()) return {};
 
-    const Scene scene(strands, head, projection, options);
+    DrawOptions counted = options;
+    if (counted.stroke == Stroke::Analytic) counted.stroke = Stroke::Sampled;
+    const Scene scene(strands, head, projection, counted);
     std::atomic<std::size_t> seen{0};
     std::atomic<std::size_t> bare{0};
     forEachTile(scene, grid, options.threads,

@@ -11,11 +11,6 @@
 
 namespace kushi {
 
-/// Whether a segment is drawn as a ribbon and not as a line.
-inline bool isRibbon(const ScreenSegment& segment) {
-    return segment.widest() > Line::widest;
-}
-
 /// The line of a segment that is no ribbon.
 ///
 /// node  its first
@@ -30,7 +25,7 @@ inline Line lineOf(const ScreenSegment& segment, std::uint32_t node, const Proje
 /// node  its first
 inline void drawSegment(SampleTile& tile, const Scene& scene, std::uint32_t node,
                         const ScreenSegment& segment, const TileGrid& grid, std::uint32_t id) {
-    if (isRibbon(segment)) {
+    if (scene.isRibbon(segment)) {
         drawPolygon(tile, ribbonOf(scene, node, segment), scene.projection(), id);
     } else {
         drawLine(tile, lineOf(segment, node, scene.projection(), grid), id);

@@ -79,7 +79,7 @@ private:
             }
             return;
         }
-        if (isRibbon(*segment)) {
+        if (scene_.isRibbon(*segment)) {
             const auto near = nearLine(*segment, margin);
             for (int row = top; row <= bottom; ++row) {
                 for (int column = left; column <= right; ++column) {

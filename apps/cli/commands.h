@@ -54,6 +54,8 @@ struct RenderArguments {
     std::string input, output, reportPath;
     std::string size = "1024x1024";
     std::string view = "three-quarter";
+    std::string layers;  ///< as given, separated by commas
+    bool alpha = false;
     StrokeFlags stroke;
     SettleFlags flags;
 };

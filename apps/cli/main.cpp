@@ -153,7 +153,11 @@ void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
 void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     CLI::App* command = program.add_subcommand("render", "Draw a style or a groom");
     command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
-    command->add_option("-o,--output", arguments.output, "The picture (.png)")->required();
+    command->add_option("-o,--output", arguments.output, "The picture (.png or .exr)")->required();
+    command->add_option("--layers", arguments.layers,
+                        "For .exr: some of depth,tangent,id,mask beside the picture");
+    command->add_flag("--alpha", arguments.alpha,
+                      "For .png: a transparent background, as .exr always has");
     command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     addStrokeFlags(*command, arguments.stroke);
     command
@@ -168,7 +172,8 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     command->footer(
         "Examples:\n"
         "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
-        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080");
+        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080\n"
+        "  kushi render styles/fig10-bob.toml -o bob.exr --layers depth,tangent,id,mask");
     command->callback([&] { status = runRender(arguments); });
 }
 

@@ -57,6 +57,18 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     return scene;
 }
 
+std::vector<Rgb> shadeScene(Scene& scene, const Camera& camera, const DrawOptions& options,
+                            StageClock& clock) {
+    const Lights lights = studioLights();
+    HairLook look;
+    look.body = scene.body;
+    std::vector<Rgb> colors(scene.strands.nodes.size());
+    shade(scene.strands, lights, look, camera.eye, colors, options.threads);
+    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+    clock.end("shade");
+    return colors;
+}
+
 }  // namespace
 
 Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool measurePenetration,
@@ -88,16 +100,39 @@ Camera portrait(const Scene& scene, View view, double aspect) {
 }
 
 Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock) {
-    const Lights lights = studioLights();
-    HairLook look;
-    look.body = scene.body;
-    std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, look, camera.eye, colors, options.threads);
-    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
-    clock.end("shade");
+    const std::vector<Rgb> colors = shadeScene(scene, camera, options, clock);
     Image image = draw(scene.strands, colors, scene.head, camera, options);
     clock.end("draw");
     return image;
+}
+
+LayeredImage drawSceneLayers(Scene& scene, const Camera& camera, const DrawOptions& options,
+                             const Layers& wanted, StageClock& clock) {
+    const std::vector<Rgb> colors = shadeScene(scene, camera, options, clock);
+    LayeredImage image = drawLayers(scene.strands, colors, scene.head, camera, options, wanted);
+    clock.end("draw");
+    return image;
+}
+
+Result<Layers> parseLayers(const std::string& text) {
+    Layers layers;
+    if (text.empty()) return layers;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find(',', begin);
+        const std::string name = text.substr(begin, end - begin);
+        if (name == "depth") {
+            layers.depth = true;
+        } else if (name == "tangent") {
+            layers.tangent = true;
+        } else if (name == "id") {
+            layers.strand = true;
+        } else if (name == "mask") {
+            layers.mask = true;
+        } else {
+            return Problem{"--layers is some of depth,tangent,id,mask; got '" + name + "'"};
+        }
+    }
+    return layers;
 }
 
 DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, int threads) {

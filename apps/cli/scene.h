@@ -34,6 +34,13 @@ Camera portrait(const Scene& scene, View view, double aspect);
 /// The picture, by the studio's lights. Stages `shade` and `draw`.
 Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
 
+/// The same without its background and with layers.
+LayeredImage drawSceneLayers(Scene& scene, const Camera& camera, const DrawOptions& options,
+                             const Layers& wanted, StageClock& clock);
+
+/// Some of depth, tangent, id and mask, separated by commas; none if empty.
+Result<Layers> parseLayers(const std::string& text);
+
 /// For a picture of width x height pixels.
 DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, int threads);
 

@@ -3,6 +3,7 @@
 
 #include <kushi/camera.h>
 #include <kushi/image.h>
+#include <kushi/layered_image.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
 
@@ -54,6 +55,18 @@ inline constexpr float drawnDiameter = 75e-6F;
 /// returns  an empty image if an option is out of range or a size does not fit
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options);
+
+/// Which layers to make.
+struct Layers {
+    bool depth = false, tangent = false, strand = false, mask = false;
+};
+
+/// What draw() draws, without its background, and the layers wanted. With analytic strokes, image,
+/// alpha and mask are analytic; the other layers come from samples, drawn beside it.
+///
+/// Parameters as for draw(); options.background does not count.
+LayeredImage drawLayers(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+                        const Camera& camera, const DrawOptions& options, const Layers& wanted);
 
 /// How much of a surface hair leaves to be seen, in samples of the picture.
 struct Showing {

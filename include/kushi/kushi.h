@@ -13,6 +13,7 @@
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
 #include <kushi/image.h>
+#include <kushi/layered_image.h>
 #include <kushi/mesh.h>
 #include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>

@@ -25,15 +25,18 @@ Rgb mix(Rgb a, Rgb b, double share) {
 
 AnalyticPainter::AnalyticPainter(const Scene& scene, const TileGrid& grid,
                                  std::span<const Rgb> colors, const DrawOptions& options,
-                                 Image& image)
+                                 Image& image, LayeredImage* layers)
     : scene_(scene),
       colors_(colors),
       supersample_(options.supersample),
       image_(image),
+      layers_(layers),
       sampler_(scene, grid),
       palette_(scene, colors, options.background),
       area_(grid.tileSize() / options.supersample),
-      blend_(grid.tileSize() / options.supersample) {}
+      blend_(grid.tileSize() / options.supersample) {
+    if (layers != nullptr) meshLayers_.emplace(scene, options.supersample, *layers);
+}
 
 void AnalyticPainter::operator()(const TileItems& items) {
     if (items.segments.empty() && items.triangles.empty()) return;
@@ -43,6 +46,7 @@ void AnalyticPainter::operator()(const TileItems& items) {
         palette_.begin(items);
         sampler_.drawTriangles(items);
         resolve(sampler_.samples(), palette_, supersample_, image_);
+        if (meshLayers_) (*meshLayers_)(sampler_.samples(), items);
         if (items.segments.empty()) return;
         solids_.take(sampler_.samples(), supersample_, scene_.projection());
     }
@@ -124,6 +128,13 @@ void AnalyticPainter::blendInto(int left, int top) {
             const Float4 light = blend_.light(x, y);
             Rgb& pixel = image_.at(left + x, top + y);
             pixel = Rgb{light[0], light[1], light[2]} + pixel * behind;
+            if (layers_ == nullptr) continue;
+            const std::size_t place =
+                static_cast<std::size_t>(top + y) * static_cast<std::size_t>(image_.width) +
+                static_cast<std::size_t>(left + x);
+            float& alpha = layers_->alpha[place];
+            alpha = 1 - behind * (1 - alpha);
+            if (!layers_->mask.empty()) layers_->mask[place] = 1 - behind;
         }
     }
 }

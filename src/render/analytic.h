@@ -4,21 +4,23 @@
 #include "render/area.h"
 #include "render/blend.h"
 #include "render/palette.h"
+#include "render/resolve_layers.h"
 #include "render/sampler.h"
 #include "render/solids.h"
 
 #include <kushi/image.h>
 
+#include <optional>
 #include <vector>
 
 namespace kushi {
 
-/// Draws one tile after the other into its part of the image: the mesh by samples, before it the
-/// strands by the area of each pixel that they cover, from near to far.
+/// Draws one tile after the other into its part of the image, its alpha and mask: the mesh by
+/// samples, before it the strands by the area of each pixel that they cover, from near to far.
 class AnalyticPainter {
 public:
     AnalyticPainter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
-                    const DrawOptions& options, Image& image);
+                    const DrawOptions& options, Image& image, LayeredImage* layers);
 
     void operator()(const TileItems& items);
 
@@ -31,8 +33,10 @@ private:
     std::span<const Rgb> colors_;
     int supersample_;
     Image& image_;
+    LayeredImage* layers_;  // alpha and mask; or null
     Sampler sampler_;
     Palette palette_;
+    std::optional<LayerResolver> meshLayers_;
     Horizon horizon_;
     SolidDepths solids_;
     AreaCoverage area_;

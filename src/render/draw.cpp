@@ -2,10 +2,14 @@
 #include "render/analytic.h"
 #include "render/palette.h"
 #include "render/resolve.h"
+#include "render/resolve_layers.h"
 #include "render/sampler.h"
 #include "render/tiles.h"
 
 #include <kushi/draw.h>
+
+#include <optional>
+#include <utility>
 
 namespace kushi {
 
@@ -15,11 +19,13 @@ namespace {
 class SamplePainter {
 public:
     SamplePainter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
-                  const DrawOptions& options, Image& image)
+                  const DrawOptions& options, Image& image, LayeredImage* layers)
         : supersample_(options.supersample),
           image_(image),
           sampler_(scene, grid),
-          palette_(scene, colors, options.background) {}
+          palette_(scene, colors, options.background) {
+        if (layers != nullptr) layers_.emplace(scene, options.supersample, *layers);
+    }
 
     void operator()(const TileItems& items) {
         if (items.segments.empty() && items.triangles.empty()) return;
@@ -28,6 +34,7 @@ public:
         sampler_.drawTriangles(items);
         sampler_.drawSegments(items);
         resolve(sampler_.samples(), palette_, supersample_, image_);
+        if (layers_) (*layers_)(sampler_.samples(), items);
     }
 
 private:
@@ -35,31 +42,78 @@ private:
     Image& image_;
     Sampler sampler_;
     Palette palette_;
+    std::optional<LayerResolver> layers_;
 };
+
+bool canDraw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+             const DrawOptions& options) {
+    const bool headFits = head.colors.empty() || head.colors.size() == head.vertices.size();
+    return drawable(strands, options) && colors.size() == strands.nodes.size() && headFits;
+}
+
+/// layers  to be filled beside the image, or null
+void drawInto(Image& image, LayeredImage* layers, const Strands& strands,
+              std::span<const Rgb> colors, const Mesh& head, const Camera& camera,
+              const DrawOptions& options) {
+    const TileGrid grid = gridOf(options);
+    image = {.width = options.width, .height = options.height, .pixels = {}};
+    image.pixels.assign(
+        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height),
+        options.background);
+    const Projection projection(camera, grid.width, grid.height);
+    if (!projection.valid()) return;
+
+    const Scene scene(strands, head, projection, options);
+    forEachTile(scene, grid, options.threads, [&]() -> TileWorker {
+        if (options.stroke == Stroke::Analytic)
+            return AnalyticPainter(scene, grid, colors, options, image, layers);
+        return SamplePainter(scene, grid, colors, options, image, layers);
+    });
+}
+
+void makeRoom(LayeredImage& layers, const DrawOptions& options, const Layers& wanted) {
+    const auto pixels =
+        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+    layers.alpha.assign(pixels, 0);
+    if (wanted.depth) layers.depth.assign(pixels, LayeredImage::nothing);
+    if (wanted.tangent) layers.tangent.assign(pixels, {});
+    if (wanted.strand) layers.strand.assign(pixels, LayeredImage::noStrand);
+    if (wanted.mask) layers.mask.assign(pixels, 0);
+}
 
 }  // namespace
 
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options) {
-    const bool headFits = head.colors.empty() || head.colors.size() == head.vertices.size();
-    if (!drawable(strands, options) || colors.size() != strands.nodes.size() || !headFits) {
-        return {};
-    }
-    const TileGrid grid = gridOf(options);
-    Image image{.width = options.width, .height = options.height, .pixels = {}};
-    image.pixels.assign(
-        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height),
-        options.background);
-    const Projection projection(camera, grid.width, grid.height);
-    if (!projection.valid()) return image;
-
-    const Scene scene(strands, head, projection, options);
-    forEachTile(scene, grid, options.threads, [&]() -> TileWorker {
-        if (options.stroke == Stroke::Analytic)
-            return AnalyticPainter(scene, grid, colors, options, image);
-        return SamplePainter(scene, grid, colors, options, image);
-    });
+    Image image;
+    if (canDraw(strands, colors, head, options))
+        drawInto(image, nullptr, strands, colors, head, camera, options);
     return image;
+}
+
+LayeredImage drawLayers(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+                        const Camera& camera, const DrawOptions& options, const Layers& wanted) {
+    LayeredImage layers;
+    if (!canDraw(strands, colors, head, options)) return layers;
+    DrawOptions bare = options;
+    bare.background = {0, 0, 0};
+    if (options.stroke != Stroke::Analytic) {
+        makeRoom(layers, options, wanted);
+        drawInto(layers.image, &layers, strands, colors, head, camera, bare);
+        return layers;
+    }
+    if (wanted.depth || wanted.tangent || wanted.strand) {
+        bare.stroke = Stroke::Sampled;
+        layers = drawLayers(strands, colors, head, camera, bare, wanted);
+        bare.stroke = Stroke::Analytic;
+    }
+    LayeredImage soft;
+    makeRoom(soft, options, {.mask = wanted.mask});
+    drawInto(soft.image, &soft, strands, colors, head, camera, bare);
+    layers.image = std::move(soft.image);
+    layers.alpha = std::move(soft.alpha);
+    layers.mask = std::move(soft.mask);
+    return layers;
 }
 
 }  // namespace kushi

@@ -67,7 +67,7 @@ void AnalyticPainter::findOrder(const TileItems& items) {
         if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);
         const std::uint32_t node = items.segments[i];
         const std::optional<ScreenSegment> segment = scene_.segment(node);
-        if (!segment || horizon_.hides(*segment)) continue;
+        if (!segment || horizon_.hides(*scene_.box(node))) continue;
         // Positive numbers have the order of their bits.
         const auto q = static_cast<float>(0.5 * (segment->a.q + segment->b.q));
         order_.push_back(std::uint64_t{~std::bit_cast<std::uint32_t>(q)} << 32U | node);

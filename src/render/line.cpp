@@ -130,8 +130,9 @@ Line lineBetween(const ScreenPoint& a, const ScreenPoint& b, const Projection& p
     if (share > fewest) {
         // The columns c where (c + 1) share + phase passes a whole number.
         const double passed = line.first * share + phase / one;
-        line.more = toFixed((1 - (passed - std::floor(passed))) / share);
-        line.moreStep = toFixed(1 / share);
+        const double period = 1 / share;
+        line.more = toFixed((1 - (passed - static_cast<int>(passed))) * period);
+        line.moreStep = toFixed(period);
     }
 
     // Only lines of more than one step use the depth's step, so it need not overflow.

@@ -27,14 +27,14 @@ void Sampler::drawSegments(const TileItems& items) {
     order_.clear();
     for (std::size_t i = 0; i < items.segments.size(); ++i) {
         if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);
-        const std::optional<ScreenSegment> segment = scene_.segment(items.segments[i]);
-        if (!segment || horizon_.hides(*segment)) continue;
-        order_.add(static_cast<std::uint32_t>(i), segment->nearest());
+        const std::optional<SegmentBox> box = scene_.box(items.segments[i]);
+        if (!box || horizon_.hides(*box)) continue;
+        order_.add(static_cast<std::uint32_t>(i), box->nearest);
     }
     nearFirst([&](std::uint32_t i, bool mayBeHidden) {
-        const ScreenSegment segment = *scene_.segment(items.segments[i]);
-        if (mayBeHidden && horizon_.hides(segment)) return;
-        drawSegment(samples_, scene_, items.segments[i], segment, grid_, Palette::segmentId(i));
+        const std::uint32_t node = items.segments[i];
+        if (mayBeHidden && horizon_.hides(*scene_.box(node))) return;
+        drawSegment(samples_, scene_, node, *scene_.segment(node), grid_, Palette::segmentId(i));
     });
 }
 

@@ -32,6 +32,14 @@ double crossing(Vec3d front, Vec3d behind, double near) {
 
 }  // namespace
 
+SegmentBox boxOf(const ScreenSegment& segment) {
+    const auto numbers = [](const ScreenPoint& p) {
+        return Float4{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.q),
+                      static_cast<float>(p.width)};
+    };
+    return boxBetween(numbers(segment.a), numbers(segment.b));
+}
+
 Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& projection,
              const DrawOptions& options)
     : strands_(strands),

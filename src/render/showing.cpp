@@ -42,7 +42,7 @@ public:
         horizon_.look(samples_, scene_.projection());
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
-            if (!segment || horizon_.hides(*segment)) continue;
+            if (!segment || horizon_.hides(*scene_.box(node))) continue;
             drawSegment(samples_, scene_, node, *segment, grid_, 0);
         }
         seen_ += countMarked();

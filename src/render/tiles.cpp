@@ -59,18 +59,14 @@ private:
 
     template <class Visit>
     void forEachTileOf(std::uint32_t node, const Visit& visit) const {
-        const std::optional<ScreenSegment> segment = scene_.segment(node);
-        if (!segment) return;
-
         // The tiles of the box around the segment.
-        const int shift = grid_.tileShift;
-        const double margin = segment->margin();
-        const auto [ax, bx] = std::minmax(segment->a.x, segment->b.x);
-        const auto [ay, by] = std::minmax(segment->a.y, segment->b.y);
-        const int left = std::max(floorToInt(ax - margin) >> shift, 0);
-        const int right = std::min(floorToInt(bx + margin) >> shift, grid_.columns() - 1);
-        const int top = std::max(floorToInt(ay - margin) >> shift, 0);
-        const int bottom = std::min(floorToInt(by + margin) >> shift, grid_.rows() - 1);
+        const std::optional<SegmentBox> box = scene_.box(node);
+        if (!box) return;
+        const Int4 sides = truncated(box->sides) >> grid_.tileShift;
+        const int left = std::max(sides[0], 0);
+        const int top = std::max(sides[1], 0);
+        const int right = std::min(sides[2], grid_.columns() - 1);
+        const int bottom = std::min(sides[3], grid_.rows() - 1);
         if (left >= right || top >= bottom) {
             // No box, or all of it is needed.
             for (int row = top; row <= bottom; ++row) {
@@ -79,8 +75,9 @@ private:
             }
             return;
         }
-        if (scene_.isRibbon(*segment)) {
-            const auto near = nearLine(*segment, margin);
+        const ScreenSegment segment = *scene_.segment(node);
+        if (scene_.isRibbon(segment)) {
+            const auto near = nearLine(segment, segment.margin());
             for (int row = top; row <= bottom; ++row) {
                 for (int column = left; column <= right; ++column) {
                     if (near(column, row)) visit(grid_.index(column, row));
@@ -88,7 +85,7 @@ private:
             }
             return;
         }
-        const Line line = lineOf(*segment, node, scene_.projection(), grid_);
+        const Line line = lineOf(segment, node, scene_.projection(), grid_);
         forEachTile(line, grid_, [&](int column, int row) { visit(grid_.index(column, row)); });
     }
 

@@ -23,7 +23,7 @@ void Sampler::drawTriangles(const TileItems& items) {
 void Sampler::drawSegments(const TileItems& items) {
     horizon_.look(samples_, scene_.projection());
     // Strands come in any order, so every segment is far from the last one in memory.
-    constexpr std::size_t ahead = 12;
+    constexpr std::size_t ahead = 24;
     order_.clear();
     for (std::size_t i = 0; i < items.segments.size(); ++i) {
         if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);

@@ -109,7 +109,10 @@ public:
     }
 
     /// Asks the memory for a segment that will be wanted soon.
-    void prefetch(std::uint32_t firstNode) const { __builtin_prefetch(&nodes_[firstNode]); }
+    void prefetch(std::uint32_t firstNode) const {
+        __builtin_prefetch(&nodes_[firstNode]);
+        __builtin_prefetch(&nodes_[firstNode + 1]);
+    }
 
 private:
     std::optional<ScreenSegment> clippedSegment(std::uint32_t firstNode) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/scene.h"
+#include "render/tile.h"
 
 #include <cstdint>
 
@@ -13,5 +14,12 @@ namespace kushi {
 ///
 /// node  the segment's first
 ScreenPolygon ribbonOf(const Scene& scene, std::uint32_t node, const ScreenSegment& segment);
+
+/// Draws what of a ribbon lies in the tile: the samples whose centre lies inside, as drawPolygon()
+/// does, but faster where it is a few samples wide.
+///
+/// ribbon   of `segment`
+void drawRibbon(SampleTile& tile, const ScreenPolygon& ribbon, const ScreenSegment& segment,
+                const Projection& projection, std::uint32_t id);
 
 }  // namespace kushi

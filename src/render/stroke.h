@@ -5,7 +5,6 @@
 #include "render/ribbon.h"
 #include "render/scene.h"
 #include "render/tile.h"
-#include "render/triangle.h"
 
 #include <cstdint>
 
@@ -26,7 +25,7 @@ inline Line lineOf(const ScreenSegment& segment, std::uint32_t node, const Proje
 inline void drawSegment(SampleTile& tile, const Scene& scene, std::uint32_t node,
                         const ScreenSegment& segment, const TileGrid& grid, std::uint32_t id) {
     if (scene.isRibbon(segment)) {
-        drawPolygon(tile, ribbonOf(scene, node, segment), scene.projection(), id);
+        drawRibbon(tile, ribbonOf(scene, node, segment), segment, scene.projection(), id);
     } else {
         drawLine(tile, lineOf(segment, node, scene.projection(), grid), id);
     }

@@ -57,18 +57,6 @@ struct Contender {
     }
 };
 
-#ifdef KUSHI_BENCH_MESA
-
-/// Share of the pixels that are not background.
-double coverage(const Image& image, Rgb background) {
-    const auto differs = [&](Rgb p) {
-        return std::max({std::abs(p.r - background.r), std::abs(p.g - background.g),
-                         std::abs(p.b - background.b)}) > 0.01F;
-    };
-    return static_cast<double>(std::count_if(image.pixels.begin(), image.pixels.end(), differs)) /
-           static_cast<double>(image.pixels.size());
-}
-
 /// The mean of all channels.
 double brightness(const Image& image) {
     double sum = 0;
@@ -89,6 +77,18 @@ double likeness(const Image& a, const Image& b) {
     return -10 * std::log10(sum / (3 * static_cast<double>(a.pixels.size())));
 }
 
+#ifdef KUSHI_BENCH_MESA
+
+/// Share of the pixels that are not background.
+double coverage(const Image& image, Rgb background) {
+    const auto differs = [&](Rgb p) {
+        return std::max({std::abs(p.r - background.r), std::abs(p.g - background.g),
+                         std::abs(p.b - background.b)}) > 0.01F;
+    };
+    return static_cast<double>(std::count_if(image.pixels.begin(), image.pixels.end(), differs)) /
+           static_cast<double>(image.pixels.size());
+}
+
 #endif
 
 }  // namespace
@@ -104,19 +104,26 @@ int main(int argc, char** argv) {
     contenders.push_back(
         {"shade",
          [&] { shade(wig.strands, lights, HairLook{}, wig.camera.eye, colors, threads); }});
-    const auto optionsOf = [&](int supersample) {
-        return DrawOptions{
-            .width = size, .height = size, .supersample = supersample, .threads = threads};
+    const auto ours = [&](Stroke stroke, int supersample, int width = size, int height = size) {
+        return draw(wig.strands, wig.colors, wig.head, wig.camera,
+                    {.width = width,
+                     .height = height,
+                     .supersample = supersample,
+                     .threads = threads,
+                     .stroke = stroke});
     };
-    const auto ours = [&](int supersample) {
-        return draw(wig.strands, wig.colors, wig.head, wig.camera, optionsOf(supersample));
+    const auto contend = [&](const std::string& name, const auto& picture) {
+        contenders.push_back({name, [picture] {
+                                  if (picture().pixels.empty()) std::abort();
+                              }});
     };
     for (const int supersample : {1, 2, 4}) {
-        contenders.push_back(
-            {"Kushi, samples: " + std::to_string(supersample * supersample), [&ours, supersample] {
-                 if (ours(supersample).pixels.empty()) std::abort();
-             }});
+        contend("lines, samples: " + std::to_string(supersample * supersample),
+                [&ours, supersample] { return ours(Stroke::Line, supersample); });
     }
+    contend("true width, samples: 16", [&] { return ours(Stroke::Sampled, 4); });
+    contend("true width, analytic", [&] { return ours(Stroke::Analytic, 4); });
+    contend("preview, 1280 x 800", [&] { return ours(Stroke::Sampled, 1, 1280, 800); });
 
 #ifdef KUSHI_BENCH_MESA
     const Rgb background = DrawOptions{}.background;
@@ -143,6 +150,11 @@ int main(int argc, char** argv) {
     for (const Contender& contender : contenders)
         contender.print();
 
+    const Image sampled = ours(Stroke::Sampled, 4);
+    const Image analytic = ours(Stroke::Analytic, 4);
+    std::printf("brightness: sampled %.4f, analytic %.4f; alike to %.1f dB\n", brightness(sampled),
+                brightness(analytic), likeness(sampled, analytic));
+
 #ifdef KUSHI_BENCH_MESA
     if (!mesa) {
         std::printf("Mesa: %s\n", (mesaOne.problem() + mesaFour.problem()).c_str());
@@ -151,7 +163,7 @@ int main(int argc, char** argv) {
     std::printf("Mesa is %s\n", mesaOne.renderer().c_str());
     const auto compare = [&](int supersample, bench::MesaLines& theirs, const Contender& us,
                              const Contender& them) {
-        const Image a = ours(supersample);
+        const Image a = ours(Stroke::Line, supersample);
         const Image b = theirs.draw();
         std::printf(
             "samples: %-2d  Mesa takes %.1f times as long; covered: %.3f, Mesa %.3f; brightness: "
@@ -159,8 +171,8 @@ int main(int argc, char** argv) {
             supersample * supersample, median(them.wall) / median(us.wall), coverage(a, background),
             coverage(b, background), brightness(a), brightness(b), likeness(a, b));
     };
-    compare(1, mesaOne, contenders[1], contenders[4]);
-    compare(4, mesaFour, contenders[3], contenders[5]);
+    compare(1, mesaOne, contenders[1], contenders[7]);
+    compare(4, mesaFour, contenders[3], contenders[8]);
 #endif
     return 0;
 }

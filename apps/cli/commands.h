@@ -43,12 +43,21 @@ struct CheckArguments {
     int threads = 0;
 };
 
+/// The flags of every command that draws.
+struct StrokeFlags {
+    int supersample = 4;
+    std::string stroke;  ///< empty: the look's
+    double widen = 1;
+};
+
 struct RenderArguments {
     std::string input, output, reportPath;
     std::string size = "1024x1024";
     std::string view = "three-quarter";
     std::string look = "natural";
-    int supersample = 4;
+    std::string layers;  ///< as given, separated by commas
+    bool alpha = false;
+    StrokeFlags stroke;
     SettleFlags flags;
 };
 
@@ -58,7 +67,7 @@ struct SheetArguments {
     std::string cell = "512x512";
     std::string views = "three-quarter";  ///< separated by slashes
     std::string look = "natural";
-    int supersample = 4;
+    StrokeFlags stroke;
     SettleFlags flags;
 };
 

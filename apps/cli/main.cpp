@@ -61,6 +61,23 @@ void addSettleFlags(CLI::App& command, SettleFlags& flags) {
         ->check(CLI::Range(1, 1024));
 }
 
+void addStrokeFlags(CLI::App& command, StrokeFlags& flags) {
+    command.add_option("--supersample", flags.supersample, "Samples per pixel along each axis")
+        ->check(CLI::IsMember({1, 2, 4}))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--stroke", flags.stroke,
+            "sampled (strands as wide as they are), analytic (the same, softer and slower) or line "
+            "(one sample wide, as in 1992; of the paper's look)")
+        ->check(CLI::IsMember({"sampled", "analytic", "line"}));
+    command
+        .add_option("--widen", flags.widen,
+                    "Times the width of strands, for sampled and analytic: k for every k-th strand")
+        ->check(between(1e-3, 1e6))
+        ->capture_default_str();
+}
+
 void addGroomFlags(CLI::App& command, GroomFlags& flags) {
     const auto scale = [&](const char* name, std::optional<double>& value, const char* what,
                            double least, double most) {
@@ -143,13 +160,13 @@ void addLook(CLI::App& command, std::string& look) {
 void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     CLI::App* command = program.add_subcommand("render", "Draw a style or a groom");
     command->add_option("STYLE|GROOM", arguments.input, styleOrGroom)->required();
-    command->add_option("-o,--output", arguments.output, "The picture (.png)")->required();
+    command->add_option("-o,--output", arguments.output, "The picture (.png or .exr)")->required();
+    command->add_option("--layers", arguments.layers,
+                        "For .exr: some of depth,tangent,id,mask beside the picture");
+    command->add_flag("--alpha", arguments.alpha,
+                      "For .png: a transparent background, as .exr always has");
     command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command
-        ->add_option("--supersample", arguments.supersample,
-                     "Samples per pixel along each axis; strands are one sample wide")
-        ->check(CLI::IsMember({1, 2, 4}))
-        ->capture_default_str();
+    addStrokeFlags(*command, arguments.stroke);
     command
         ->add_option(
             "--view", arguments.view,
@@ -163,7 +180,8 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
     command->footer(
         "Examples:\n"
         "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
-        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080");
+        "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080\n"
+        "  kushi render styles/fig10-bob.toml -o bob.exr --layers depth,tangent,id,mask");
     command->callback([&] { status = runRender(arguments); });
 }
 
@@ -178,11 +196,7 @@ void addSheet(CLI::App& program, SheetArguments& arguments, int& status) {
         ->capture_default_str();
     command->add_option("--cell", arguments.cell, "WIDTHxHEIGHT of each picture in pixels")
         ->capture_default_str();
-    command
-        ->add_option("--supersample", arguments.supersample,
-                     "Samples per pixel along each axis; strands are one sample wide")
-        ->check(CLI::IsMember({1, 2, 4}))
-        ->capture_default_str();
+    addStrokeFlags(*command, arguments.stroke);
     addLook(*command, arguments.look);
     addSettleFlags(*command, arguments.flags);
     command->footer(

@@ -7,16 +7,40 @@
 #include "showing.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace kushi {
+
+namespace {
+
+/// layers  beside a picture without background; or none, for a picture with one
+Status drawTo(const std::string& path, Scene& scene, const Camera& camera,
+              const DrawOptions& options, Look look, const std::optional<Layers>& layers,
+              StageClock& clock) {
+    if (!layers) return writePng(drawScene(scene, camera, options, look, clock), path);
+    LayeredImage image = drawSceneLayers(scene, camera, options, look, *layers, clock);
+    if (hasEnding(path, {".exr"}, "").ok()) return writeExr(image, path);
+    if (look == Look::Natural) image.image = rolledOff(std::move(image.image));
+    return writePng(image, path);
+}
+
+}  // namespace
 
 int runRender(const RenderArguments& arguments) {
     const Result<std::pair<int, int>> size = parseSize(arguments.size, "--size");
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
     if (!view) return report(view.problems());
-    if (const Status ending = hasEnding(arguments.output, {".png"}, "the picture"); !ending) {
+    if (const Status ending = hasEnding(arguments.output, {".png", ".exr"}, "the picture");
+        !ending) {
         return report(ending.problems());
+    }
+    const Result<Layers> layers = parseLayers(arguments.layers);
+    if (!layers) return report(layers.problems());
+    const bool exr = hasEnding(arguments.output, {".exr"}, "").ok();
+    if (!arguments.layers.empty() && !exr) {
+        return report(
+            {{"--layers needs an output that can hold them: end it in .exr", arguments.output}});
     }
     if (const Status outputs = checkOutputs(arguments.output, arguments.reportPath); !outputs) {
         return report(outputs.problems());
@@ -26,15 +50,17 @@ int runRender(const RenderArguments& arguments) {
     const bool reporting = !arguments.reportPath.empty();
     Result<Scene> scene = loadScene(arguments.input, arguments.flags, reporting, clock);
     if (!scene) return report(scene.problems());
-    DrawOptions options;
-    options.width = size->first;
-    options.height = size->second;
-    options.supersample = arguments.supersample;
-    options.threads = arguments.flags.threads;
+    const Look look = lookNamed(arguments.look);
+    prepare(*scene, look, clock);
+    const DrawOptions options = drawOptions(*size, arguments.stroke, look, arguments.flags.threads);
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
-    const Image image = drawScene(*scene, camera, options, lookNamed(arguments.look), clock);
-    if (const Status written = writePng(image, arguments.output); !written)
+    const std::optional<Layers> wanted =
+        exr || arguments.alpha ? std::optional(*layers) : std::nullopt;
+    if (const Status written =
+            drawTo(arguments.output, *scene, camera, options, look, wanted, clock);
+        !written) {
         return report(written.problems());
+    }
     clock.end("write");
     if (reporting) {
         const auto showing = scalpShowing(*scene, options, clock);

@@ -7,7 +7,9 @@
 #include <kushi/head.h>
 #include <kushi/shade.h>
 #include <kushi/shadows.h>
+#include <kushi/subdivide.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace kushi {
@@ -18,6 +20,8 @@ namespace {
 constexpr double collar = 0.035;
 
 constexpr Rgb skin = {0.62F, 0.56F, 0.52F};
+// Of the tangent from node to node, for highlights of some 7 degrees [rad].
+const double mostTurn = radians(4);
 constexpr Rgb backdrop = {0.40F, 0.41F, 0.43F};
 constexpr Rgb felt = {0.16F, 0.17F, 0.20F};  // of what is no head
 
@@ -27,6 +31,18 @@ void append(Mesh& to, const Mesh& from) {
     to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
     for (const auto& [a, b, c] : from.triangles)
         to.triangles.push_back({a + base, b + base, c + base});
+}
+
+// How many strands of the style's own each of these stands for.
+float inPlaceOf(const Style& style, std::size_t strands) {
+    constexpr float most = 16;
+    std::size_t all = 0;
+    for (const Part& part : style.parts)
+        all += static_cast<std::size_t>(part.scalp.count.value_or(0));
+    const float times =
+        static_cast<float>(all) / static_cast<float>(std::max<std::size_t>(strands, 1));
+    // Cuts and regions may leave out a few.
+    return times < 1.2F ? 1 : std::min(times, most);
 }
 
 Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool measurePenetration,
@@ -55,6 +71,7 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
         append(scene.head, collider);
         scene.skin.resize(scene.head.vertices.size(), felt);
     }
+    scene.widened = inPlaceOf(*style, scene.report.strands);
     clock.end("tint");
     return scene;
 }
@@ -77,6 +94,15 @@ std::vector<Rgb> paperColors(Scene& scene, Vec3f eye, int threads) {
     std::vector<Rgb> colors(scene.strands.nodes.size());
     shade(scene.strands, lights, look, eye, colors, threads);
     scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+    return colors;
+}
+
+std::vector<Rgb> shadeScene(Scene& scene, const Camera& camera, const DrawOptions& options,
+                            Look look, StageClock& clock) {
+    std::vector<Rgb> colors = look == Look::Natural
+                                  ? naturalColors(scene, camera.eye, options.threads, clock)
+                                  : paperColors(scene, camera.eye, options.threads);
+    clock.end("shade");
     return colors;
 }
 
@@ -114,18 +140,67 @@ Look lookNamed(const std::string& name) {
     return name == "paper" ? Look::Paper : Look::Natural;
 }
 
+void prepare(Scene& scene, Look look, StageClock& clock) {
+    if (look != Look::Natural) return;
+    for (float& diameter : scene.strands.diameters)
+        diameter *= scene.widened;
+    scene.strands = subdivided(scene.strands, mostTurn);
+    clock.end("smooth");
+}
+
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock) {
+    const std::vector<Rgb> colors = shadeScene(scene, camera, options, look, clock);
     const bool natural = look == Look::Natural;
-    const std::vector<Rgb> colors = natural
-                                        ? naturalColors(scene, camera.eye, options.threads, clock)
-                                        : paperColors(scene, camera.eye, options.threads);
-    clock.end("shade");
     options.background = natural ? backdrop : DrawOptions().background;
     Image image = draw(scene.strands, colors, scene.head, camera, options);
     if (natural) image = rolledOff(std::move(image));
     clock.end("draw");
     return image;
+}
+
+LayeredImage drawSceneLayers(Scene& scene, const Camera& camera, const DrawOptions& options,
+                             Look look, const Layers& wanted, StageClock& clock) {
+    const std::vector<Rgb> colors = shadeScene(scene, camera, options, look, clock);
+    LayeredImage image = drawLayers(scene.strands, colors, scene.head, camera, options, wanted);
+    clock.end("draw");
+    return image;
+}
+
+Result<Layers> parseLayers(const std::string& text) {
+    Layers layers;
+    if (text.empty()) return layers;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find(',', begin);
+        const std::string name = text.substr(begin, end - begin);
+        if (name == "depth") {
+            layers.depth = true;
+        } else if (name == "tangent") {
+            layers.tangent = true;
+        } else if (name == "id") {
+            layers.strand = true;
+        } else if (name == "mask") {
+            layers.mask = true;
+        } else {
+            return Problem{"--layers is some of depth,tangent,id,mask; got '" + name + "'"};
+        }
+    }
+    return layers;
+}
+
+DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, Look look,
+                        int threads) {
+    DrawOptions options;
+    const bool line = flags.stroke.empty() ? look == Look::Paper : flags.stroke == "line";
+    options.width = size.first;
+    options.height = size.second;
+    options.supersample = flags.supersample;
+    options.threads = threads;
+    options.stroke = line                         ? Stroke::Line
+                     : flags.stroke == "analytic" ? Stroke::Analytic
+                                                  : Stroke::Sampled;
+    options.widen = static_cast<float>(flags.widen);
+    return options;
 }
 
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag) {

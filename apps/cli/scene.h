@@ -18,6 +18,7 @@ struct Scene {
     Strands strands;                ///< with their inner pieces, if a style's
     Mesh head;                      ///< may be empty
     std::vector<Rgb> skin;          ///< albedo of each of the head's vertices
+    float widened = 1;              ///< times their width, strands of a preview stand for the rest
     std::optional<Ellipsoid> body;  ///< what the hair grows on, if it is known
     SettleReport report;
 };
@@ -39,10 +40,23 @@ enum class Look {
 /// "natural" or "paper".
 Look lookNamed(const std::string& name);
 
+/// Makes the strands smooth enough for the look's highlights. Stage `smooth`.
+void prepare(Scene& scene, Look look, StageClock& clock);
+
 /// The picture; `options` but for the background, which is the look's. Stages `shadows`, of the
 /// natural look, `shade` and `draw`.
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock);
+
+/// The same without its background, in linear light, and with layers.
+LayeredImage drawSceneLayers(Scene& scene, const Camera& camera, const DrawOptions& options,
+                             Look look, const Layers& wanted, StageClock& clock);
+
+/// Some of depth, tangent, id and mask, separated by commas; none if empty.
+Result<Layers> parseLayers(const std::string& text);
+
+/// For a picture of width x height pixels; strokes that the flags leave open are the look's.
+DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, Look look, int threads);
 
 /// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);

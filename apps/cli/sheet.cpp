@@ -75,11 +75,8 @@ int runSheet(const SheetArguments& arguments) {
         return report(outputs.problems());
     }
 
-    DrawOptions options;
-    options.width = size->first;
-    options.height = size->second;
-    options.supersample = arguments.supersample;
-    options.threads = arguments.flags.threads;
+    const Look look = lookNamed(arguments.look);
+    const DrawOptions options = drawOptions(*size, arguments.stroke, look, arguments.flags.threads);
     const auto pictures = static_cast<int>(arguments.inputs.size() * views->size());
     const int columns = columnsFor(arguments.inputs.size(), views->size());
     const int rows = (pictures + columns - 1) / columns;
@@ -93,10 +90,10 @@ int runSheet(const SheetArguments& arguments) {
         StageClock clock;
         Result<Scene> scene = loadScene(input, arguments.flags, false, clock);
         if (!scene) return report(scene.problems());
+        prepare(*scene, look, clock);
         for (const View view : *views) {
             const double aspect = static_cast<double>(options.width) / options.height;
-            sheet.add(drawScene(*scene, portrait(*scene, view, aspect), options,
-                                lookNamed(arguments.look), clock));
+            sheet.add(drawScene(*scene, portrait(*scene, view, aspect), options, look, clock));
         }
     }
     if (const Status written = writePng(sheet.image(), arguments.output); !written)

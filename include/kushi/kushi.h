@@ -14,6 +14,7 @@
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
 #include <kushi/image.h>
+#include <kushi/layered_image.h>
 #include <kushi/mesh.h>
 #include <kushi/mesh_io.h>
 #include <kushi/planar_rod.h>
@@ -27,4 +28,5 @@
 #include <kushi/shadows.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
+#include <kushi/subdivide.h>
 #include <kushi/vec.h>

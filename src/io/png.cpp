@@ -2,6 +2,7 @@
 #include "io/atomic_file.h"
 
 #include <kushi/image.h>
+#include <kushi/layered_image.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <csetjmp>
 #include <cstdint>
 #include <new>
+#include <span>
 
 #include <png.h>
 
@@ -83,8 +85,10 @@ void appendBytes(png_structp png, png_bytep bytes, png_size_t size) {
 }
 
 /// Everything with a destructor lives in the caller: libpng leaves by longjmp.
-bool encode(const PngState& state, const Image& image, const SrgbEncoder& srgb, png_byte* row,
-            std::string* out) {
+///
+/// alpha  of each pixel, in which its colour is multiplied in; or null
+bool encode(const PngState& state, const Image& image, const float* const alpha,
+            const SrgbEncoder& srgb, png_byte* row, std::string* out) {
     png_structp png = state.png();
     png_infop info = state.info();
     if (png == nullptr || info == nullptr) return false;
@@ -92,8 +96,9 @@ bool encode(const PngState& state, const Image& image, const SrgbEncoder& srgb, 
 
     png_set_write_fn(png, out, appendBytes, nullptr);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
-                 static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 static_cast<png_uint_32>(image.height), 8,
+                 alpha != nullptr ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_compression_level(png, 3);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FAST_FILTERS);
@@ -102,8 +107,14 @@ bool encode(const PngState& state, const Image& image, const SrgbEncoder& srgb, 
         png_byte* byte = row;
         for (int x = 0; x < image.width; ++x) {
             const Rgb& pixel = image.at(x, y);
+            const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                               static_cast<std::size_t>(x);
+            const float share = alpha != nullptr ? alpha[place] : 1;
+            const float scale = share > 0 ? 1 / share : 0;
             for (const float channel : {pixel.r, pixel.g, pixel.b})
-                *byte++ = srgb(channel);
+                *byte++ = srgb(channel * scale);
+            if (alpha != nullptr)
+                *byte++ = static_cast<png_byte>(255 * std::clamp(share, 0.0F, 1.0F) + 0.5F);
         }
         png_write_row(png, row);
     }
@@ -111,9 +122,8 @@ bool encode(const PngState& state, const Image& image, const SrgbEncoder& srgb, 
     return true;
 }
 
-}  // namespace
-
-Status writePng(const Image& image, const std::string& path) try {
+/// alpha  as many as pixels, or none
+Status write(const Image& image, std::span<const float> alpha, const std::string& path) try {
     constexpr int most = PNG_USER_WIDTH_MAX;
     const auto pixels =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -127,15 +137,29 @@ Status writePng(const Image& image, const std::string& path) try {
     }
     const PngState state;
     const SrgbEncoder srgb;
-    std::vector<png_byte> row(3 * static_cast<std::size_t>(image.width));
+    std::vector<png_byte> row(4 * static_cast<std::size_t>(image.width));
     std::string bytes;
-    if (!encode(state, image, srgb, row.data(), &bytes)) {
+    if (!encode(state, image, alpha.empty() ? nullptr : alpha.data(), srgb, row.data(), &bytes)) {
         return Problem{
             .message = "not enough memory for this picture", .file = path, .system = true};
     }
     return writeFileAtomically(path, bytes);
 } catch (const std::bad_alloc&) {
     return Problem{.message = "not enough memory for this picture", .file = path, .system = true};
+}
+
+}  // namespace
+
+Status writePng(const Image& image, const std::string& path) {
+    return write(image, {}, path);
+}
+
+Status writePng(const LayeredImage& image, const std::string& path) {
+    if (image.alpha.size() != image.image.pixels.size()) {
+        return Problem{.message = "a picture whose alpha has another size cannot be written as PNG",
+                       .file = path};
+    }
+    return write(image.image, image.alpha, path);
 }
 
 }  // namespace kushi

@@ -339,10 +339,13 @@ Strands withInnerPieces(const SettledGroom& groom) {
         nodes.insert(nodes.end(), visible.begin(), visible.end());
         strands.add(nodes, groom.strands.keys[i]);
 
-        const auto colors =
-            std::span(groom.strands.colors).subspan(groom.strands.offsets[i], visible.size());
-        if (inner) strands.colors.push_back(colors[0]);
-        strands.colors.insert(strands.colors.end(), colors.begin(), colors.end());
+        const auto take = [&](const auto& from, auto& to) {
+            const auto own = std::span(from).subspan(groom.strands.offsets[i], visible.size());
+            if (inner) to.push_back(own[0]);
+            to.insert(to.end(), own.begin(), own.end());
+        };
+        take(groom.strands.colors, strands.colors);
+        take(groom.strands.diameters, strands.diameters);
     }
     return strands;
 }

@@ -1,116 +1,119 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/horizon.h"
-#include "render/line.h"
-#include "render/near_first.h"
+#include "render/analytic.h"
 #include "render/palette.h"
 #include "render/resolve.h"
+#include "render/resolve_layers.h"
+#include "render/sampler.h"
 #include "render/tiles.h"
-#include "render/triangle.h"
 
 #include <kushi/draw.h>
+
+#include <optional>
+#include <utility>
 
 namespace kushi {
 
 namespace {
 
-/// Draws one tile after the other into its part of the image.
-class Painter {
+/// Draws one tile after the other into its part of the image, by samples.
+class SamplePainter {
 public:
-    Painter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
-            const DrawOptions& options, Image& image)
-        : scene_(scene),
-          grid_(grid),
-          supersample_(options.supersample),
+    SamplePainter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
+                  const DrawOptions& options, Image& image, LayeredImage* layers)
+        : supersample_(options.supersample),
           image_(image),
-          samples_(grid.tileSize()),
-          palette_(scene, colors, options.background) {}
+          sampler_(scene, grid),
+          palette_(scene, colors, options.background) {
+        if (layers != nullptr) layers_.emplace(scene, options.supersample, *layers);
+    }
 
     void operator()(const TileItems& items) {
         if (items.segments.empty() && items.triangles.empty()) return;
-        samples_.clear(items.x, items.y);
+        sampler_.begin(items);
         palette_.begin(items);
-        drawTriangles(items);
-        drawSegments(items);
-        resolve(samples_, palette_, supersample_, image_);
+        sampler_.drawTriangles(items);
+        sampler_.drawSegments(items);
+        resolve(sampler_.samples(), palette_, supersample_, image_);
+        if (layers_) (*layers_)(sampler_.samples(), items);
     }
 
 private:
-    void drawTriangles(const TileItems& items) {
-        order_.clear();
-        for (std::size_t i = 0; i < items.triangles.size(); ++i) {
-            const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
-            if (polygon.size > 0) order_.add(static_cast<std::uint32_t>(i), polygon.nearest());
-        }
-        nearFirst([&](std::uint32_t i, bool mayBeHidden) {
-            const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
-            if (mayBeHidden && horizon_.hides(polygon)) return;
-            drawPolygon(samples_, polygon, scene_.projection(), Palette::triangleId(items, i));
-        });
-    }
-
-    void drawSegments(const TileItems& items) {
-        horizon_.look(samples_, scene_.projection());
-        // Strands come in any order, so every segment is far from the last one in memory.
-        constexpr std::size_t ahead = 12;
-        order_.clear();
-        for (std::size_t i = 0; i < items.segments.size(); ++i) {
-            if (i + ahead < items.segments.size()) scene_.prefetch(items.segments[i + ahead]);
-            const std::optional<ScreenSegment> segment = scene_.segment(items.segments[i]);
-            if (!segment || horizon_.hides(*segment)) continue;
-            order_.add(static_cast<std::uint32_t>(i), segment->nearest());
-        }
-        nearFirst([&](std::uint32_t i, bool mayBeHidden) {
-            const ScreenSegment segment = *scene_.segment(items.segments[i]);
-            if (mayBeHidden && horizon_.hides(segment)) return;
-            const Line line = lineBetween(segment.a, segment.b, scene_.projection(), grid_);
-            drawLine(samples_, line, Palette::segmentId(i));
-        });
-    }
-
-    /// Draws what is in order_, and takes another look at the horizon between its groups if there
-    /// is so much that this may save more than it costs.
-    template <class DrawThing>
-    void nearFirst(const DrawThing& drawThing) {
-        order_.sort();
-        const bool looks = order_.size() > 100;
-        for (std::size_t i = 0; i < NearFirst::groups; ++i) {
-            const bool mayBeHidden = i > 0 && looks;
-            if (mayBeHidden) horizon_.look(samples_, scene_.projection());
-            for (const std::uint32_t thing : order_.group(i))
-                drawThing(thing, mayBeHidden);
-        }
-    }
-
-    const Scene& scene_;
-    const TileGrid& grid_;
     int supersample_;
     Image& image_;
-    SampleTile samples_;
-    Horizon horizon_;
-    NearFirst order_;
+    Sampler sampler_;
     Palette palette_;
+    std::optional<LayerResolver> layers_;
 };
+
+bool canDraw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+             const DrawOptions& options) {
+    const bool headFits = head.colors.empty() || head.colors.size() == head.vertices.size();
+    return drawable(strands, options) && colors.size() == strands.nodes.size() && headFits;
+}
+
+/// layers  to be filled beside the image, or null
+void drawInto(Image& image, LayeredImage* layers, const Strands& strands,
+              std::span<const Rgb> colors, const Mesh& head, const Camera& camera,
+              const DrawOptions& options) {
+    const TileGrid grid = gridOf(options);
+    image = {.width = options.width, .height = options.height, .pixels = {}};
+    image.pixels.assign(
+        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height),
+        options.background);
+    const Projection projection(camera, grid.width, grid.height);
+    if (!projection.valid()) return;
+
+    const Scene scene(strands, head, projection, options);
+    forEachTile(scene, grid, options.threads, [&]() -> TileWorker {
+        if (options.stroke == Stroke::Analytic)
+            return AnalyticPainter(scene, grid, colors, options, image, layers);
+        return SamplePainter(scene, grid, colors, options, image, layers);
+    });
+}
+
+void makeRoom(LayeredImage& layers, const DrawOptions& options, const Layers& wanted) {
+    const auto pixels =
+        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+    layers.alpha.assign(pixels, 0);
+    if (wanted.depth) layers.depth.assign(pixels, LayeredImage::nothing);
+    if (wanted.tangent) layers.tangent.assign(pixels, {});
+    if (wanted.strand) layers.strand.assign(pixels, LayeredImage::noStrand);
+    if (wanted.mask) layers.mask.assign(pixels, 0);
+}
 
 }  // namespace
 
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options) {
-    const bool headFits = head.colors.empty() || head.colors.size() == head.vertices.size();
-    if (!drawable(strands, options) || colors.size() != strands.nodes.size() || !headFits) {
-        return {};
-    }
-    const TileGrid grid = gridOf(options);
-    Image image{.width = options.width, .height = options.height, .pixels = {}};
-    image.pixels.assign(
-        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height),
-        options.background);
-    const Projection projection(camera, grid.width, grid.height);
-    if (!projection.valid()) return image;
-
-    const Scene scene(strands, head, projection, options.threads);
-    forEachTile(scene, grid, options.threads,
-                [&]() -> TileWorker { return Painter(scene, grid, colors, options, image); });
+    Image image;
+    if (canDraw(strands, colors, head, options))
+        drawInto(image, nullptr, strands, colors, head, camera, options);
     return image;
+}
+
+LayeredImage drawLayers(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+                        const Camera& camera, const DrawOptions& options, const Layers& wanted) {
+    LayeredImage layers;
+    if (!canDraw(strands, colors, head, options)) return layers;
+    DrawOptions bare = options;
+    bare.background = {0, 0, 0};
+    if (options.stroke != Stroke::Analytic) {
+        makeRoom(layers, options, wanted);
+        drawInto(layers.image, &layers, strands, colors, head, camera, bare);
+        return layers;
+    }
+    if (wanted.depth || wanted.tangent || wanted.strand) {
+        bare.stroke = Stroke::Sampled;
+        layers = drawLayers(strands, colors, head, camera, bare, wanted);
+        bare.stroke = Stroke::Analytic;
+    }
+    LayeredImage soft;
+    makeRoom(soft, options, {.mask = wanted.mask});
+    drawInto(soft.image, &soft, strands, colors, head, camera, bare);
+    layers.image = std::move(soft.image);
+    layers.alpha = std::move(soft.alpha);
+    layers.mask = std::move(soft.mask);
+    return layers;
 }
 
 }  // namespace kushi

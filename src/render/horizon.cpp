@@ -4,30 +4,37 @@
 namespace kushi {
 
 void Horizon::look(const SampleTile& tile, const Projection& projection) {
-    x_ = tile.x();
-    y_ = tile.y();
-    const int size = tile.size() / static_cast<int>(blocks);
-    perSample_ = 1.0 / size;
+    const auto x0 = static_cast<float>(tile.x());
+    const auto y0 = static_cast<float>(tile.y());
+    origin_ = Float4{x0, y0, x0, y0};
+    const int size = tile.size() / blocks;
+    perSample_ = 1.0F / static_cast<float>(size);
     // To spare for rounding, for the id, and for what drawableDepth() moves: half a millimetre at a
     // metre.
     constexpr SampleTile::Key rounding = SampleTile::Key{1} << 41;
     std::size_t block = 0;
     for (int y = 0; y < tile.size(); y += size) {
         for (int x = 0; x < tile.size(); x += size)
-            farthest_[block++] = projection.inverseDistance(tile.farthest(x, y, size) + rounding);
+            farthest_[block++] = static_cast<float>(
+                projection.inverseDistance(tile.farthest(x, y, size) + rounding));
     }
 }
 
 bool Horizon::hides(const ScreenPolygon& polygon) const {
     if (polygon.size == 0) return true;
-    ScreenPoint low = polygon.corners[0].at;
-    ScreenPoint high = low;
+    const auto numbers = [](const ScreenPoint& p) {
+        return Float4{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.q)};
+    };
+    Float4 low = numbers(polygon.corners[0].at);
+    Float4 high = low;
     for (int i = 1; i < polygon.size; ++i) {
-        const ScreenPoint at = polygon.corners[static_cast<std::size_t>(i)].at;
-        low = {std::min(low.x, at.x), std::min(low.y, at.y), 0};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.q, at.q)};
+        const Float4 at = numbers(polygon.corners[static_cast<std::size_t>(i)].at);
+        low = smaller(low, at);
+        high = larger(high, at);
     }
-    return hidesBox({low.x, high.x, low.y, high.y, high.q});
+    // A sample to spare for rounding.
+    const Float4 sides = {low[0] - 1, low[1] - 1, high[0] + 1, high[1] + 1};
+    return hides(SegmentBox{sides, high[2]});
 }
 
 }  // namespace kushi

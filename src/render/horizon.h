@@ -4,7 +4,6 @@
 #include "render/scene.h"
 #include "render/tile.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -18,44 +17,27 @@ public:
     void look(const SampleTile& tile, const Projection& projection);
 
     /// Whether it is certain that the tile's samples would stay as they are if this were drawn.
-    bool hides(const ScreenSegment& segment) const {
-        const auto& [a, b, from, to] = segment;
-        return hidesBox({std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y),
-                         std::max(a.y, b.y), std::max(a.q, b.q)});
-    }
-    bool hides(const ScreenPolygon& polygon) const;
-
-private:
-    struct Box {
-        double left, right, top, bottom;  // samples of the picture
-        double nearest;                   // 1 / distance [1/m]
-    };
-
-    bool hidesBox(const Box& box) const {
-        // Lines cover samples up to one away from them.
-        constexpr double margin = 1;
-        const std::size_t left = block(box.left - margin - x_);
-        const std::size_t right = block(box.right + margin - x_);
-        const std::size_t top = block(box.top - margin - y_);
-        const std::size_t bottom = block(box.bottom + margin - y_);
-        for (std::size_t row = top; row <= bottom; ++row) {
-            for (std::size_t column = left; column <= right; ++column) {
-                if (box.nearest >= farthest_[row * blocks + column]) return false;
+    bool hides(const SegmentBox& box) const {
+        const Float4 none = {};
+        const Float4 last = none + static_cast<float>(blocks - 1);
+        const Int4 block =
+            truncated(smaller(larger((box.sides - origin_) * perSample_, none), last));
+        for (int row = block[1]; row <= block[3]; ++row) {
+            for (int column = block[0]; column <= block[2]; ++column) {
+                const auto index = static_cast<std::size_t>(row * blocks + column);
+                if (box.nearest >= farthest_[index]) return false;
             }
         }
         return true;
     }
-    std::size_t block(double sample) const {
-        return static_cast<std::size_t>(std::clamp(sample * perSample_, 0.0, lastBlock));
-    }
+    bool hides(const ScreenPolygon& polygon) const;
 
-    static constexpr std::size_t blocks = 8;  // along each side of the tile
+private:
+    static constexpr int blocks = 8;  // along each side of the tile
 
-    static constexpr double lastBlock = blocks - 1;
-
-    double x_ = 0, y_ = 0;
-    double perSample_ = 1;                            // blocks
-    std::array<double, blocks * blocks> farthest_{};  // row by row, 1 / distance [1/m]
+    Float4 origin_{};      // x, y, x, y of the tile's first sample
+    float perSample_ = 1;  // blocks
+    std::array<float, static_cast<std::size_t>(blocks* blocks)> farthest_{};  // row by row, 1/m
 };
 
 }  // namespace kushi

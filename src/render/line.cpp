@@ -9,7 +9,8 @@ namespace kushi {
 
 namespace {
 
-constexpr double one = 0x1p32;  // fixed-point
+constexpr double one = 0x1p32;      // fixed-point
+constexpr double fewest = 0x1p-20;  // columns are no more than 2^16
 
 std::int64_t toFixed(double x) {
     return static_cast<std::int64_t>(x * one);
@@ -57,13 +58,13 @@ struct Offsets {
 
 /// The inner loop: most of a picture's time is spent here. Depth is tested by a minimum and not by
 /// a branch, as its outcome is close to a coin's toss.
-void walk(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
+///
+/// row  in the first column; the sample covered is the floor
+void walk(Offsets tile, std::int64_t row, std::ptrdiff_t size, std::int64_t depth, const Line& line,
           std::uint32_t id) {
     // Copies, as the compiler must take what is written to the tile for a part of the line.
     const std::int64_t rowStep = line.rowStep;
     const std::int64_t depthStep = line.depthStep;
-    const std::ptrdiff_t size = piece.size;
-    std::int64_t row = piece.row;
     for (std::ptrdiff_t i = 0; i < size; ++i) {
         tile.cover(i, row >> 32, SampleTile::key(depth, id));
         row += rowStep;
@@ -71,28 +72,32 @@ void walk(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& 
     }
 }
 
-/// The second samples: in the columns c where (c + 1) doubled / 2^32 passes a whole number.
-void walkDoubled(Offsets tile, const LinePiece& piece, std::int64_t depth, const Line& line,
-                 std::uint32_t id) {
-    const std::uint64_t share = line.doubled;
-    if (share == 0) return;
-    const auto first = static_cast<std::uint64_t>(piece.first);
-    const auto size = static_cast<std::uint64_t>(piece.size);
-    for (std::uint64_t whole = (first * share >> 32U) + 1;; ++whole) {
-        const std::uint64_t column = ((whole << 32U) - 1) / share - first;
-        if (column >= size) return;
-        const auto i = static_cast<std::int64_t>(column);
-        const std::int64_t row = piece.row + line.rowStep * i;
-        const bool nearNext = (row & (std::int64_t{1} << 31)) != 0;
-        tile.cover(i, (row >> 32) + (nearNext ? 1 : -1),
-                   SampleTile::key(depth + line.depthStep * i, id));
+/// The columns with a sample more, on the side of the whole ones where the line's middle is.
+///
+/// row, depth  in the line's first column
+/// skipped     columns from there to the piece
+void walkMore(Offsets tile, std::int64_t row, std::int64_t skipped, std::int64_t size,
+              std::int64_t depth, const Line& line, std::uint32_t id) {
+    const std::int64_t step = line.moreStep;
+    if (step == 0) return;
+    std::int64_t at = line.more;
+    const std::int64_t begin = skipped << 32;
+    if (at < begin) at += stepsUp(begin - at, step) * step;
+    const std::int64_t end = (skipped + size) << 32;
+    const std::ptrdiff_t whole = line.whole;
+    for (; at < end; at += step) {
+        const std::int64_t column = at >> 32;
+        const std::int64_t low = row + line.rowStep * column;
+        const bool above = (low & (std::int64_t{1} << 31)) != 0;
+        tile.cover(column - skipped, (low >> 32) + (above ? whole : -1),
+                   SampleTile::key(depth + line.depthStep * column, id));
     }
 }
 
 }  // namespace
 
 Line lineBetween(const ScreenPoint& a, const ScreenPoint& b, const Projection& projection,
-                 const TileGrid& grid) {
+                 const TileGrid& grid, std::uint32_t phase) {
     Line line;
     line.alongY = std::abs(b.y - a.y) > std::abs(b.x - a.x);
     const double start = line.alongY ? a.y : a.x;
@@ -119,7 +124,16 @@ Line lineBetween(const ScreenPoint& a, const ScreenPoint& b, const Projection& p
     const double way = line.first + 0.5 - start;
     line.row = toFixed(startAcross + way * slope);
     line.rowStep = toFixed(slope);
-    line.doubled = static_cast<std::uint32_t>((std::sqrt(1 + slope * slope) - 1) * one);
+    const double thickness = 0.5 * (a.width + b.width) * std::sqrt(1 + slope * slope);
+    line.whole = static_cast<int>(thickness);
+    const double share = thickness - line.whole;
+    if (share > fewest) {
+        // The columns c where (c + 1) share + phase passes a whole number.
+        const double passed = line.first * share + phase / one;
+        const double period = 1 / share;
+        line.more = toFixed((1 - (passed - static_cast<int>(passed))) * period);
+        line.moreStep = toFixed(period);
+    }
 
     // Only lines of more than one step use the depth's step, so it need not overflow.
     const double depthA = drawableDepth(projection.depth(a.q));
@@ -135,18 +149,23 @@ void drawLine(SampleTile& tile, const Line& line, std::uint32_t id) {
     LinePiece piece = pieceOf(line, origin, origin + tile.size());
     if (piece.size <= 0) return;
 
-    // From one row before the tile to one after it: their second samples may lie in it.
-    constexpr std::int64_t fixedOne = std::int64_t{1} << 32;
-    piece.row -= across * fixedOne;
-    clip(piece, line.rowStep, -fixedOne, (tile.size() + 1) * fixedOne);
+    // From the rows before the tile to those after it whose samples may lie in it.
+    const std::int64_t reach = line.reach();
+    const std::int64_t tileRow = static_cast<std::int64_t>(across) << 32;
+    piece.row -= tileRow;
+    clip(piece, line.rowStep, -reach, (static_cast<std::int64_t>(tile.size()) << 32) + reach);
     if (piece.size <= 0) return;
 
-    const std::int64_t depth = line.depth + line.depthStep * (piece.first - line.first);
+    const std::int64_t skipped = piece.first - line.first;
+    const std::int64_t depth = line.depth + line.depthStep * skipped;
     const int column = piece.first - origin;
     const Offsets offsets = {tile.keys(), (line.alongY ? tile.rows() : tile.columns()) + column,
                              line.alongY ? tile.columns() : tile.rows()};
-    walk(offsets, piece, depth, line, id);
-    walkDoubled(offsets, piece, depth, line, id);
+    // That of the lowest of the whole samples, as far below the middle as the highest is above it.
+    const std::int64_t toLowest = (line.whole - std::int64_t{1}) << 31;
+    for (std::int64_t i = 0; i < line.whole; ++i)
+        walk(offsets, piece.row - toLowest + (i << 32), piece.size, depth, line, id);
+    walkMore(offsets, line.row - tileRow - toLowest, skipped, piece.size, line.depth, line, id);
 }
 
 }  // namespace kushi

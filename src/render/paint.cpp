@@ -40,11 +40,11 @@ Paint paintOf(const ScreenSegment& segment, Rgb first, Rgb last, int tileX, int 
     const Float4 atB = scaled(mix(first, last, segment.to), b.q);
     const double x = b.x - a.x;
     const double y = b.y - a.y;
-    const bool alongY = std::abs(y) > std::abs(x);
-    const double run = alongY ? y : x;
-    if (std::abs(run) < 1) return {.start = 0.5F * (atA + atB)};
-    const Float4 step = (atB - atA) / static_cast<float>(run);
-    return anchored(atA, alongY ? Float4{} : step, alongY ? step : Float4{}, a, tileX, tileY);
+    const double square = x * x + y * y;
+    if (square < 1) return {.start = 0.5F * (atA + atB)};
+    const Float4 step = (atB - atA) / static_cast<float>(square);
+    return anchored(atA, step * static_cast<float>(x), step * static_cast<float>(y), a, tileX,
+                    tileY);
 }
 
 Paint paintOf(const ScreenPolygon& polygon, const std::array<Rgb, 3>& colors, int tileX,

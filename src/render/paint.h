@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "render/float4.h"
 #include "render/scene.h"
 
 #include <kushi/color.h>
@@ -8,9 +9,6 @@
 #include <array>
 
 namespace kushi {
-
-/// Four floats that the compiler may keep in one register.
-using Float4 = float __attribute__((vector_size(16)));
 
 /// The colour of one thing over a tile. Colour divided by distance is linear over the picture, and
 /// so is 1 / distance; their ratio is the colour, true to perspective.

@@ -10,17 +10,26 @@ void Palette::begin(const TileItems& items) {
     items_ = items;
     const std::size_t ids = items.segments.size() + items.triangles.size() + 1;
     paints_.resize(std::max(paints_.size(), ids));
-    mixed_.assign(ids, 0);
+    shown_.assign(ids, 0);
     paints_[0] = background_;
-    mixed_[0] = 1;
 }
 
-void Palette::mix(std::uint32_t id) {
-    const std::size_t index = id - 1;
+void Palette::mixFor(const SampleTile& samples) {
+    for (const SampleTile::Key key : samples.all())
+        shown_[SampleTile::id(key)] = 1;
     const std::size_t segments = items_.segments.size();
-    paints_[id] = index < segments ? segmentPaint(items_.segments[index])
-                                   : trianglePaint(items_.triangles[index - segments]);
-    mixed_[id] = 1;
+    for (std::size_t i = 0; i < segments; ++i) {
+        constexpr std::size_t ahead = 16;
+        if (i + ahead < segments && shown_[i + ahead + 1] != 0) {
+            scene_.prefetch(items_.segments[i + ahead]);
+            __builtin_prefetch(&colors_[items_.segments[i + ahead]]);
+        }
+        if (shown_[i + 1] != 0) paints_[i + 1] = segmentPaint(items_.segments[i]);
+    }
+    for (std::size_t i = 0; i < items_.triangles.size(); ++i) {
+        const std::size_t id = segments + i + 1;
+        if (shown_[id] != 0) paints_[id] = trianglePaint(items_.triangles[i]);
+    }
 }
 
 Paint Palette::segmentPaint(std::uint32_t node) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/paint.h"
+#include "render/tile.h"
 #include "render/tiles.h"
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 namespace kushi {
 
 /// The colours of what is drawn in a tile, by id: 0 is the background, then come the tile's
-/// segments and then its triangles, each in the order of their list. A colour is mixed when it is
-/// first asked for, as most things are hidden by others.
+/// segments and then its triangles, each in the order of their list. Only what is shown is mixed,
+/// as most things are hidden by others.
 class Palette {
 public:
     Palette(const Scene& scene, std::span<const Rgb> colors, Rgb background)
@@ -28,13 +29,13 @@ public:
     /// Turns to another tile, whose lists must outlive its painting.
     void begin(const TileItems& items);
 
-    const Paint& operator[](std::uint32_t id) {
-        if (mixed_[id] == 0) mix(id);
-        return paints_[id];
-    }
+    /// Mixes the colours of what samples show, in the order of ids, which is that of memory.
+    void mixFor(const SampleTile& samples);
+
+    /// Of an id that samples show.
+    const Paint& operator[](std::uint32_t id) const { return paints_[id]; }
 
 private:
-    void mix(std::uint32_t id);
     Paint segmentPaint(std::uint32_t node) const;
     Paint trianglePaint(std::uint32_t index) const;
 
@@ -43,7 +44,7 @@ private:
     Paint background_;
     TileItems items_;
     std::vector<Paint> paints_;
-    std::vector<std::uint8_t> mixed_;
+    std::vector<std::uint8_t> shown_;
 };
 
 }  // namespace kushi

@@ -54,7 +54,9 @@ StoredPoint Projection::store(Vec3f world) const {
     if (view.z < near_) return {};
     const ScreenPoint point = toScreen(view);
     if (!canBeDrawn(point)) return never;
-    return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.q)};
+    return {.x = static_cast<float>(point.x),
+            .y = static_cast<float>(point.y),
+            .q = static_cast<float>(point.q)};
 }
 
 }  // namespace kushi

@@ -12,6 +12,7 @@ namespace kushi {
 struct ScreenPoint {
     double x = 0, y = 0;  ///< samples from the left and from the top
     double q = 0;         ///< 1 / distance along the view [1/m]; linear over the picture
+    double width = 1;     ///< of a strand there [samples]
 };
 
 /// Whether `point` is finite and near enough to the picture for the arithmetic of lines.
@@ -21,10 +22,11 @@ bool canBeDrawn(ScreenPoint point);
 struct StoredPoint {
     float x = 0, y = 0;
     float q = 0;  ///< 0: before the near plane, x and y mean nothing; < 0: cannot be drawn
+    float width = 1;
 
     bool inFront() const { return q > 0; }
     bool drawable() const { return q >= 0; }
-    operator ScreenPoint() const { return {x, y, q}; }
+    operator ScreenPoint() const { return {x, y, q, width}; }
 };
 
 /// From the world to the grid of samples.
@@ -42,6 +44,8 @@ public:
     /// Of a point with view.z >= nearPlane().
     ScreenPoint toScreen(Vec3d view) const;
     StoredPoint store(Vec3f world) const;
+    /// Samples that a metre takes up at a distance of a metre.
+    double focalLength() const { return focal_; }
 
     /// Depth from 0 at the near plane to fullDepth at infinity, for integer arithmetic. Linear over
     /// the picture; at the target one unit of the 30 bits that count is about a millionth of its

@@ -68,6 +68,7 @@ void resolvePixels(const SampleTile& tile, Palette& palette, Image& image) {
 }  // namespace
 
 void resolve(const SampleTile& tile, Palette& palette, int supersample, Image& image) {
+    palette.mixFor(tile);
     switch (supersample) {
         case 1:
             return resolvePixels<1>(tile, palette, image);

@@ -2,13 +2,17 @@
 #include "render/scene.h"
 
 #include "core/parallel.h"
+#include "render/line.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
 namespace kushi {
 
 namespace {
+
+constexpr double mostWidth = 65536;  // samples, so that no corner lies too far out
 
 std::vector<StoredPoint> project(const Projection& projection, std::span<const Vec3f> points,
                                  int threads) {
@@ -28,12 +32,44 @@ double crossing(Vec3d front, Vec3d behind, double near) {
 
 }  // namespace
 
-Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& projection, int threads)
+SegmentBox boxOf(const ScreenSegment& segment) {
+    const auto numbers = [](const ScreenPoint& p) {
+        return Float4{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.q),
+                      static_cast<float>(p.width)};
+    };
+    return boxBetween(numbers(segment.a), numbers(segment.b));
+}
+
+Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& projection,
+             const DrawOptions& options)
     : strands_(strands),
       mesh_(mesh),
       projection_(projection),
-      nodes_(project(projection, strands.nodes, threads)),
-      vertices_(project(projection, mesh.vertices, threads)) {}
+      nodes_(project(projection, strands.nodes, options.threads)),
+      vertices_(project(projection, mesh.vertices, options.threads)),
+      widestLine_(options.stroke == Stroke::Analytic ? -1 : Line::widest),
+      widthScale_(options.stroke == Stroke::Line ? 0 : options.widen * projection.focalLength()) {
+    if (widthScale_ == 0) return;
+    parallelFor(nodes_.size(), 65536, options.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            nodes_[i].width = static_cast<float>(widthOf(diameter(i), nodes_[i].q));
+    });
+}
+
+double Scene::diameter(std::size_t node) const {
+    return strands_.diameters.size() == nodes_.size() ? strands_.diameters[node] : drawnDiameter;
+}
+
+double Scene::widthOf(double diameter, double q) const {
+    const double width = widthScale_ * diameter * q;
+    return width > 0 ? std::min(width, mostWidth) : 0;  // not a number is no width
+}
+
+std::size_t Scene::strandOf(std::uint32_t node) const {
+    const auto& offsets = strands_.offsets;
+    const auto next = std::upper_bound(offsets.begin(), offsets.end(), node);
+    return static_cast<std::size_t>(next - offsets.begin()) - 1;
+}
 
 std::optional<ScreenSegment> Scene::clippedSegment(std::uint32_t firstNode) const {
     const StoredPoint a = nodes_[firstNode];
@@ -47,8 +83,14 @@ std::optional<ScreenSegment> Scene::clippedSegment(std::uint32_t firstNode) cons
     const double share = crossing(front, behind, projection_.nearPlane());
     Vec3d cut = front + share * (behind - front);
     cut.z = projection_.nearPlane();
-    const ScreenPoint point = projection_.toScreen(cut);
+    ScreenPoint point = projection_.toScreen(cut);
     if (!canBeDrawn(point)) return std::nullopt;
+    const double fromA = a.inFront() ? share : 1 - share;
+    if (widthScale_ > 0) {
+        const double there =
+            (1 - fromA) * diameter(firstNode) + fromA * diameter(std::size_t{firstNode} + 1);
+        point.width = widthOf(there, point.q);
+    }
     if (a.inFront()) return ScreenSegment{.a = a, .b = point, .from = 0, .to = share};
     return ScreenSegment{.a = point, .b = b, .from = 1 - share, .to = 1};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/horizon.h"
-#include "render/line.h"
+#include "render/stroke.h"
 #include "render/tiles.h"
 #include "render/triangle.h"
 
@@ -42,8 +42,8 @@ public:
         horizon_.look(samples_, scene_.projection());
         for (const std::uint32_t node : items.segments) {
             const std::optional<ScreenSegment> segment = scene_.segment(node);
-            if (!segment || horizon_.hides(*segment)) continue;
-            drawLine(samples_, lineBetween(segment->a, segment->b, scene_.projection(), grid_), 0);
+            if (!segment || horizon_.hides(*scene_.box(node))) continue;
+            drawSegment(samples_, scene_, node, *segment, grid_, 0);
         }
         seen_ += countMarked();
     }
@@ -80,7 +80,9 @@ Showing countShowing(const Strands& strands, const Mesh& head, std::span<const s
     const Projection projection(camera, grid.width, grid.height);
     if (!projection.valid()) return {};
 
-    const Scene scene(strands, head, projection, options.threads);
+    DrawOptions counted = options;
+    if (counted.stroke == Stroke::Analytic) counted.stroke = Stroke::Sampled;
+    const Scene scene(strands, head, projection, counted);
     std::atomic<std::size_t> seen{0};
     std::atomic<std::size_t> bare{0};
     forEachTile(scene, grid, options.threads,

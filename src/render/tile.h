@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace kushi {
@@ -72,6 +73,11 @@ public:
     Key* keys() { return lines_.front().keys.data(); }
     const std::ptrdiff_t* columns() const { return columns_.data() + border; }
     const std::ptrdiff_t* rows() const { return rows_.data() + border; }
+
+    /// All of them in the order of memory, the border's too.
+    std::span<const Key> all() const {
+        return {lines_.front().keys.data(), lines_.size() * lineKeys};
+    }
 
     /// The farthest key of a square of samples.
     ///

@@ -2,11 +2,12 @@
 #include "render/tiles.h"
 
 #include "core/parallel.h"
-#include "render/line.h"
+#include "render/stroke.h"
 #include "render/tile_lists.h"
 #include "render/triangle.h"
 
 #include <atomic>
+#include <cmath>
 #include <thread>
 #include <vector>
 
@@ -58,17 +59,14 @@ private:
 
     template <class Visit>
     void forEachTileOf(std::uint32_t node, const Visit& visit) const {
-        const std::optional<ScreenSegment> segment = scene_.segment(node);
-        if (!segment) return;
-
-        // The tiles of the box around the segment, with half a sample to spare for its width.
-        const int shift = grid_.tileShift;
-        const auto [ax, bx] = std::minmax(segment->a.x, segment->b.x);
-        const auto [ay, by] = std::minmax(segment->a.y, segment->b.y);
-        const int left = std::max(floorToInt(ax - 1) >> shift, 0);
-        const int right = std::min(floorToInt(bx + 1) >> shift, grid_.columns() - 1);
-        const int top = std::max(floorToInt(ay - 1) >> shift, 0);
-        const int bottom = std::min(floorToInt(by + 1) >> shift, grid_.rows() - 1);
+        // The tiles of the box around the segment.
+        const std::optional<SegmentBox> box = scene_.box(node);
+        if (!box) return;
+        const Int4 sides = truncated(box->sides) >> grid_.tileShift;
+        const int left = std::max(sides[0], 0);
+        const int top = std::max(sides[1], 0);
+        const int right = std::min(sides[2], grid_.columns() - 1);
+        const int bottom = std::min(sides[3], grid_.rows() - 1);
         if (left >= right || top >= bottom) {
             // No box, or all of it is needed.
             for (int row = top; row <= bottom; ++row) {
@@ -77,8 +75,32 @@ private:
             }
             return;
         }
-        const Line line = lineBetween(segment->a, segment->b, scene_.projection(), grid_);
+        const ScreenSegment segment = *scene_.segment(node);
+        if (scene_.isRibbon(segment)) {
+            const auto near = nearLine(segment, segment.margin());
+            for (int row = top; row <= bottom; ++row) {
+                for (int column = left; column <= right; ++column) {
+                    if (near(column, row)) visit(grid_.index(column, row));
+                }
+            }
+            return;
+        }
+        const Line line = lineOf(segment, node, scene_.projection(), grid_);
         forEachTile(line, grid_, [&](int column, int row) { visit(grid_.index(column, row)); });
+    }
+
+    /// A test for tiles that come within `margin` of the line through a segment that has a length.
+    auto nearLine(const ScreenSegment& segment, double margin) const {
+        const double x = segment.b.x - segment.a.x;
+        const double y = segment.b.y - segment.a.y;
+        const double side = grid_.tileSize();
+        const double limit =
+            margin * std::sqrt(x * x + y * y) + 0.5 * side * (std::abs(x) + std::abs(y));
+        return [=, at = segment.a](int column, int row) {
+            const double toX = (column + 0.5) * side - at.x;
+            const double toY = (row + 0.5) * side - at.y;
+            return std::abs(x * toY - y * toX) <= limit;
+        };
     }
 
     const Scene& scene_;
@@ -113,7 +135,8 @@ bool drawable(const Strands& strands, const DrawOptions& options) {
     const auto side = [](int pixels) { return pixels >= 1 && pixels <= 16384; };
     const int k = options.supersample;
     return side(options.width) && side(options.height) && (k == 1 || k == 2 || k == 4) &&
-           !strands.offsets.empty() && strands.offsets.back() == strands.nodes.size();
+           options.widen > 0 && options.widen <= 1e6F && !strands.offsets.empty() &&
+           strands.offsets.back() == strands.nodes.size();
 }
 
 TileGrid gridOf(const DrawOptions& options) {

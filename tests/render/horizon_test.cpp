@@ -41,7 +41,7 @@ TEST(Horizon, HidesWhatLiesBehindAWall) {
     Horizon horizon;
     horizon.look(halfAWall(), camera);
     const auto hides = [&](double fromX, double toX, double q) {
-        return horizon.hides(ScreenSegment{.a = {fromX, 30, q}, .b = {toX, 90, 0.5 * q}});
+        return horizon.hides(boxOf({.a = {fromX, 30, q}, .b = {toX, 90, 0.5 * q}}));
     };
     EXPECT_TRUE(hides(20, 90, 0.99));
     EXPECT_TRUE(hides(-500, 90, 0.99));  // only what lies in the tile counts
@@ -55,7 +55,7 @@ TEST(Horizon, SeesNothingHiddenInAnEmptyTile) {
     tile.clear(0, 0);
     Horizon horizon;
     horizon.look(tile, camera);
-    EXPECT_FALSE(horizon.hides(ScreenSegment{.a = {1, 1, 1e-30}, .b = {9, 9, 1e-30}}));
+    EXPECT_FALSE(horizon.hides(boxOf({.a = {1, 1, 1e-30}, .b = {9, 9, 1e-30}})));
 }
 
 TEST(Horizon, NeverHidesWhatWouldShow) {
@@ -70,7 +70,7 @@ TEST(Horizon, NeverHidesWhatWouldShow) {
         if (i % 100 == 0) horizon.look(tile, camera);
         ScreenSegment segment{.a = {place(random), place(random), inverse(random)}, .b = {}};
         segment.b = {segment.a.x + step(random), segment.a.y + step(random), inverse(random)};
-        const bool isHidden = horizon.hides(segment);
+        const bool isHidden = horizon.hides(boxOf(segment));
         hidden += static_cast<int>(isHidden);
         const auto before = isHidden ? contentsOf(tile) : std::vector<SampleTile::Key>();
         drawLine(tile, lineBetween(segment.a, segment.b, camera, grid), 1);

@@ -91,18 +91,17 @@ TEST(Line, CoversItsLengthOnAverageToAThousandth) {
     for (const double length : {0.3, 1.0, 5.7, 20.0}) {
         const int tries = length < 2 ? 200000 : 20000;
         std::size_t sum = 0;
-        const SampleTile tile(1);
         for (int i = 0; i < tries; ++i) {
             const double angle = turn(random);
             const ScreenPoint a = {place(random), place(random), 1};
             const ScreenPoint b = {a.x + length * std::cos(angle), a.y + length * std::sin(angle),
                                    1};
             const Line line = lineBetween(a, b, camera, oneTile);
-            for (int column = line.first; column < line.last; ++column) {
-                const auto index = static_cast<std::uint32_t>(column);
-                const std::uint32_t before = line.doubled * index;
-                sum += before + line.doubled < before ? 2U : 1U;  // carries past 2^32
-            }
+            const std::int64_t columns = std::int64_t{line.last} - line.first;
+            sum += static_cast<std::size_t>(columns * line.whole);
+            for (std::int64_t at = line.more; line.moreStep > 0 && at < columns << 32;
+                 at += line.moreStep)
+                ++sum;
         }
         // Three standard deviations of a sum of roundings.
         EXPECT_NEAR(static_cast<double>(sum) / tries, length, 3 * 0.7 / std::sqrt(tries)) << length;

@@ -19,7 +19,7 @@ namespace {
 // Where portraits end below [cm from the shoulders up].
 constexpr double collar = 0.035;
 
-constexpr Rgb skin = {0.62F, 0.56F, 0.52F};
+constexpr Rgb skin = {0.50F, 0.44F, 0.40F};
 // Of the tangent from node to node, for highlights of some 7 degrees [rad].
 const double mostTurn = radians(4);
 constexpr Rgb backdrop = {0.40F, 0.41F, 0.43F};

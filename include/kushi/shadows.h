@@ -43,8 +43,16 @@ public:
     /// distant  one for each of the distant lights; overwritten
     Sky at(Vec3f place, Vec3f side, std::span<Passage> distant) const;
 
+    /// How much light comes to skin, in [0, 1]; edges of shadows are as soft as those of lamps.
+    ///
+    /// normal   unit
+    /// blocked  share of the light that each fibre on its way takes, in [0, 1]
+    /// distant  one for each of the distant lights; overwritten
+    /// returns  of the light from everywhere
+    float onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const;
+
     /// Fibres between each of the nodes and an eye, roughly: as if it looked along the same
-    /// direction at all of them.
+    /// direction at all of them, and without what lies within two cubes.
     std::vector<float> crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye, int threads) const;
 
 private:

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace kushi {
@@ -20,7 +21,8 @@ constexpr std::size_t skyLights = 16;  // that stand for light from everywhere
 constexpr float mostCrossings = 14;    // where nothing of the sky comes
 constexpr float texel = 0.005F;        // of the head's maps for the lights [m]
 constexpr float skyTexel = 0.006F;
-constexpr float slack = 0.004F;  // by which skin may lie behind itself [m]
+constexpr float slack = 0.004F;     // by which skin may lie behind itself [m]
+constexpr float penumbra = 0.008F;  // half of it, on skin [m]
 constexpr float skySlack = 0.008F;
 
 /// Directions spread evenly over the sphere, along a spiral.
@@ -65,7 +67,7 @@ struct Shadows::Fields {
     static constexpr std::size_t ofSky = 4;
 
     HairGrid grid;
-    std::vector<FarLight> distant;
+    std::vector<FarLight> distant, sky;
     std::size_t stride = ofSky;
     std::vector<Lanes> cubes;
 };
@@ -114,6 +116,8 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
                 cube[Fields::ofSky + j / 4][j % 4] = all[j].crossings[i];
         }
     });
+    fields->sky.assign(std::make_move_iterator(all.begin() + static_cast<std::ptrdiff_t>(count)),
+                       std::make_move_iterator(all.end()));
     all.resize(count);
     for (FarLight& light : all)
         light.crossings = {};
@@ -158,6 +162,32 @@ Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) co
             {sum(parts < none ? freeAbove : freeBelow), sum(parts < none ? above : below)}};
 }
 
+float Shadows::onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const {
+    const Vec3f aside = std::abs(normal.y) < 0.9F ? Vec3f{0, 1, 0} : Vec3f{1, 0, 0};
+    const Vec3f right = penumbra * normalized(cross(aside, normal));
+    const Vec3f up = cross(normal, right);
+    std::vector<Passage> passages(distant.size());
+    std::ranges::fill(distant, 0.0F);
+    for (const Vec3f from : {place, place + right, place - right, place + up, place - up}) {
+        at(from, normal, passages);
+        for (std::size_t i = 0; i < distant.size(); ++i)
+            distant[i] += 0.2F * passages[i].free * std::exp(-blocked * passages[i].crossings);
+    }
+
+    const HairGrid& grid = fields_->grid;
+    const std::size_t cube = grid.empty() ? 0 : grid.cubeAt(place);
+    float sum = 0;
+    float weights = 0;
+    for (const FarLight& light : fields_->sky) {
+        const float facing = dot(normal, light.towards);
+        if (facing <= 0) continue;
+        weights += facing;
+        const float crossings = grid.empty() ? 0 : light.crossings[cube];
+        sum += facing * light.head.lit(place, skySlack) * std::exp(-blocked * crossings);
+    }
+    return weights > 0 ? sum / weights : 1;
+}
+
 std::vector<float> Shadows::crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye,
                                             int threads) const {
     std::vector<float> before(nodes.size());
@@ -166,10 +196,13 @@ std::vector<float> Shadows::crossingsBefore(std::span<const Vec3f> nodes, Vec3f 
     const Vec3f middle = 0.5F * (grid.middle(0) + grid.middle(grid.cells.size() - 1));
     const Vec3f way = eye - middle;
     if (!(length(way) > 0)) return before;
-    const std::vector<float> crossings = crossingsTowards(grid, normalized(way), ownHair);
+    // Tight hair has more than enough in its own cube, and the eye sees its surface.
+    const Vec3f towards = normalized(way);
+    const std::vector<float> crossings = crossingsTowards(grid, towards, 1);
+    const Vec3f ahead = grid.size * towards;
     parallelFor(nodes.size(), 16384, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            before[i] = crossings[grid.cubeAt(nodes[i])];
+            before[i] = crossings[grid.cubeAt(nodes[i] + ahead)];
     });
     return before;
 }

@@ -75,6 +75,8 @@ nlohmann::ordered_json settleJson(const SettleReport& report, const StageClock& 
     if (report.maxResidual) json["max_residual"] = *report.maxResidual;
     json["unsettled"] = report.unsettled;
     if (report.set) json["set"] = setJson(*report.set);
+    json["clumps"] = report.clumps;
+    json["flyaways"] = report.flyaways;
     return json;
 }
 

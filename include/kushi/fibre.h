@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <kushi/color.h>
+#include <kushi/pigment.h>
 #include <kushi/vec.h>
 
 #include <array>
@@ -56,22 +56,5 @@ double fibrePdf(const Fibre& fibre, double absorption, double h, FibreDirection 
 /// Share of the light that each way sends on, averaged over the fibre's width; for light from
 /// `theta` as well as towards it. With absorption 0 they add up to 1.
 FibreLobes fibreAlbedo(const Fibre& fibre, double absorption, double theta);
-
-/// sigma_a of pigment (d'Eon et al. 2011, the table as in pbrt). Blond is about 0.3, brown 1.3,
-/// black 8.
-///
-/// melanin  concentration, >= 0
-/// redness  share of it that is pheomelanin, in [0, 1]
-Rgb absorptionOfMelanin(float melanin, float redness);
-
-/// sigma_a with which a whole head of such fibres shows about the given colour (Chiang et al. 2016,
-/// eq. 9).
-///
-/// color      each channel is clamped to [0.001, 0.99]
-/// azimuthal  beta_n
-Rgb absorptionOfColor(Rgb color, double azimuthal);
-
-/// The inverse of absorptionOfColor().
-Rgb colorOfAbsorption(Rgb absorption, double azimuthal);
 
 }  // namespace kushi

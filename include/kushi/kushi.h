@@ -17,6 +17,7 @@
 #include <kushi/layered_image.h>
 #include <kushi/mesh.h>
 #include <kushi/mesh_io.h>
+#include <kushi/pigment.h>
 #include <kushi/planar_rod.h>
 #include <kushi/push_out.h>
 #include <kushi/rest_shape.h>

@@ -73,6 +73,8 @@ struct SettleReport {
     std::optional<double> maxResidual;
     std::size_t unsettled = 0;
     std::optional<SetReport> set;  ///< where there are grooms
+    std::size_t clumps = 0;        ///< that strands have been drawn together to
+    std::size_t flyaways = 0;      ///< strands that have been bent off
 };
 
 /// A head of hair at rest.
@@ -86,8 +88,8 @@ struct SettledGroom {
     SettleReport report;
 };
 
-/// Style -> solids, follicles -> rods -> cuts. The same style gives the same bytes from any number
-/// of threads.
+/// Style -> solids, follicles -> rods -> cuts -> clumps and flyaways. The same style gives the same
+/// bytes from any number of threads.
 ///
 /// A count below the style's own keeps an evenly spread subset of its follicles; one above plants
 /// anew. Parts share it in proportion to what they have; a groom never has more strands than its

@@ -98,6 +98,20 @@ struct Wave {
     double variation = 0.15;  ///< as of Curl
 };
 
+/// Hair that gathers: strands draw near to one of them, more and more towards their tips.
+struct Clump {
+    double amount = 0;       ///< share of the way that tips go, in [0, 0.9]; 0: none
+    double size = 0.008;     ///< m between the middles of clumps at the scalp, > 0
+    double variation = 0.5;  ///< share by which the amount differs from clump to clump, in [0, 1]
+    double from = 0.1;       ///< share of a strand's length before which it stays, in [0, 0.9]
+};
+
+/// Single strands that stand off.
+struct Flyaway {
+    double share = 0;        ///< of the strands, in [0, 1]
+    double distance = 0.01;  ///< m by which their tips do, about, > 0
+};
+
 /// A fixed direction, or one that turns with the place.
 struct ForceDirection {
     bool radial = false;  ///< horizontally away from the world's y axis; `vector` is not used
@@ -140,6 +154,8 @@ struct Hair {
     double set =
         1;  ///< of a groom: share of the shape in its file that stays, in [0, 1]; 0: straight
     double variation = 0.12;  ///< each strand's lightness varies by up to +- this share, in [0, 1]
+    Clump clump;
+    Flyaway flyaway;
 
     /// EI of the round section, or what replaces it, times stiffness [N m2].
     double rigidity() const;

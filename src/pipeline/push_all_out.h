@@ -8,7 +8,17 @@
 
 namespace kushi {
 
-/// pushOut() of strands that lie anywhere.
+/// How a strand lies.
+enum class Pushed {
+    No,     ///< it was outside
+    Out,    ///< it has been turned outside
+    Stuck,  ///< it still has a place in solids, or too near
+};
+
+/// pushOut() of one strand; root first [m].
+Pushed pushOneOut(const DistanceField& solids, std::span<Vec3f> nodes);
+
+/// The same of strands that lie anywhere.
 PushOutReport pushAllOut(const DistanceField& solids, std::size_t count,
                          const std::function<std::span<Vec3f>(std::size_t)>& strand, int threads);
 

@@ -30,18 +30,22 @@ Penetration penetrationOf(const DistanceField& solids, const Strands& groom, int
     return found;
 }
 
-PushOutReport pushAllOut(const DistanceField& solids, std::size_t count,
-                         const std::function<std::span<Vec3f>(std::size_t)>& strand, int threads) {
+Pushed pushOneOut(const DistanceField& solids, std::span<Vec3f> nodes) {
     // More than a distance field may be wrong.
     constexpr double margin = 5e-4;
+    if (nodes.size() < 2 || clearance(solids, nodes, margin) >= margin) return Pushed::No;
+    return pushOut(solids, margin, nodes) ? Pushed::Out : Pushed::Stuck;
+}
+
+PushOutReport pushAllOut(const DistanceField& solids, std::size_t count,
+                         const std::function<std::span<Vec3f>(std::size_t)>& strand, int threads) {
     std::atomic<std::size_t> pushed{0};
     std::atomic<std::size_t> stuck{0};
     parallelFor(count, together, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::span<Vec3f> nodes = strand(i);
-            if (nodes.size() < 2 || clearance(solids, nodes, margin) >= margin) continue;
-            ++pushed;
-            stuck += pushOut(solids, margin, nodes) ? 0 : 1;
+            const Pushed how = pushOneOut(solids, strand(i));
+            pushed += how == Pushed::No ? 0 : 1;
+            stuck += how == Pushed::Stuck ? 1 : 0;
         }
     });
     return {pushed, stuck};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
 #include "pipeline/crowd.h"
+#include "pipeline/dress.h"
 #include "pipeline/groom_part.h"
 #include "pipeline/groom_source.h"
 #include "pipeline/hair_color.h"
@@ -130,7 +131,7 @@ public:
     }
 
     Status add(const Part& part, const PartSource& source) {
-        Status added = source.groom ? addGroom(part, *source.groom) : grow(part, source);
+        Status added = source.groom ? addGroom(part, source) : grow(part, source);
         done_ += source.size();
         show(static_cast<double>(done_));
         return added;
@@ -175,17 +176,19 @@ public:
         }
         report.stages.push_back({"settle", settleTime - setTime_});
         if (style_.contact.packing) report.stages.push_back({"loosen", looseTime});
+        if (dressTime_) report.stages.push_back({"dress", *dressTime_});
         return std::move(groom_);
     }
 
 private:
     struct GrownPart {
         const Part* part;
-        const Follicles* follicles;
+        const PartSource* source;
         PartHair hair;
     };
     struct GroomOfPart {
         const Part* part;
+        const PartSource* source;
         Strands strands;
     };
 
@@ -199,7 +202,7 @@ private:
         how.again = style_.contact.packing && method_ == Method::Equilibrium;
         how.threads = options_.threads;
         how.layers = source.layers;
-        grown_.push_back({&part, &source.follicles, PartHair(style_, part, source.follicles, how)});
+        grown_.push_back({&part, &source, PartHair(style_, part, source.follicles, how)});
         return grown_.back().hair.settle();
     }
 
@@ -216,14 +219,15 @@ private:
 
     void put(GrownPart& grown) {
         const Part& part = *grown.part;
-        const Follicles& follicles = *grown.follicles;
-        const SettledPart settled = grown.hair.take();
+        const Follicles& follicles = grown.source->follicles;
+        SettledPart settled = grown.hair.take();
         groom_.report.pushedOut += settled.pushedOut;
         groom_.report.stuck += settled.stuck;
         // Solids are what is seen; the ellipsoid stands for them where there are none.
         const bool onEllipsoid = part.scalp.surface == ScalpSurface::Ellipsoid;
         const Obstacles obstacles = {
             solids_ == nullptr && onEllipsoid ? &part.scalp.ellipsoid : nullptr, solids_};
+        dress(grown, obstacles, settled);
         const Obstacles* measured = options_.measurePenetration ? &obstacles : nullptr;
         if (method_ == Method::Equilibrium) count(settled.maxResidual, settled.unsettled);
         std::vector<Block> blocks((follicles.size() + blockSize - 1) / blockSize);
@@ -244,6 +248,7 @@ private:
     }
 
     void put(GroomOfPart& groom) {
+        dress(groom);
         append(groom_.strands, groom.strands);
         for (std::size_t i = 0; i < groom.strands.size(); ++i) {
             const Vec3d root = groom.strands.strand(i)[0].as<double>();
@@ -251,7 +256,8 @@ private:
         }
     }
 
-    Status addGroom(const Part& part, const Strands& groom) {
+    Status addGroom(const Part& part, const PartSource& source) {
+        const Strands& groom = *source.groom;
         const auto progress = [&](double share) {
             show(static_cast<double>(done_) + share * static_cast<double>(groom.size()));
         };
@@ -264,8 +270,35 @@ private:
         holding_->unstable += settled->holding.unstable;
         holding_->unheld += settled->holding.unheld;
         setTime_ += settled->setTime;
-        grooms_.push_back({&part, std::move(settled->strands)});
+        grooms_.push_back({&part, &source, std::move(settled->strands)});
         return std::monostate{};
+    }
+
+    void dress(const GrownPart& grown, const Obstacles& obstacles, SettledPart& settled) {
+        if (!isDressed(grown.part->hair)) return;
+        StrandsAtRest atRest = {{}, grown.source->follicles.keys};
+        for (const auto [first, count] : settled.stretches)
+            atRest.strands.push_back(std::span(settled.nodes).subspan(first, count));
+        dress(*grown.part, *grown.source, obstacles, atRest);
+    }
+
+    void dress(GroomOfPart& groom) {
+        if (!isDressed(groom.part->hair)) return;
+        StrandsAtRest atRest = {{}, groom.strands.keys};
+        for (std::size_t i = 0; i < groom.strands.size(); ++i)
+            atRest.strands.push_back(groom.strands.strand(i));
+        dress(*groom.part, *groom.source, {}, atRest);
+    }
+
+    void dress(const Part& part, const PartSource& source, const Obstacles& obstacles,
+               const StrandsAtRest& atRest) {
+        Stopwatch stopwatch;
+        const DressReport report =
+            kushi::dress(part.hair, source.clumps, part.scalp.ellipsoid.center, obstacles, atRest,
+                         options_.threads);
+        groom_.report.clumps += report.clumps;
+        groom_.report.flyaways += report.flyaways;
+        dressTime_ = dressTime_.value_or(0) + stopwatch.lap();
     }
 
     void measureCrowding() {
@@ -291,6 +324,7 @@ private:
     double all_;
     std::size_t done_ = 0;
     double setTime_ = 0;
+    std::optional<double> dressTime_;
     std::optional<Holding> holding_;
     std::vector<float> frictions_;  // of the solids
     std::vector<GrownPart> grown_;

@@ -39,17 +39,33 @@ std::vector<std::size_t> proportions(const std::vector<std::size_t>& weights, st
 // Of hair that lies on hair, unless the style says otherwise: share of the space that it fills.
 constexpr double lyingPacking = 0.15;
 
+std::vector<Vec3d> rootsOf(const Strands& groom) {
+    std::vector<Vec3d> roots;
+    for (std::size_t i = 0; i < groom.size(); ++i)
+        roots.push_back(groom.strand(i)[0].as<double>());
+    return roots;
+}
+
+ClumpCentres clumpsOf(const Part& part, std::span<const Vec3d> roots,
+                      std::span<const std::uint64_t> keys) {
+    const Clump& clump = part.hair.clump;
+    return clump.amount > 0 ? ClumpCentres(roots, keys, clump.size) : ClumpCentres();
+}
+
 Result<PartSource> sourceOf(const Part& part, const Contact& contact, std::uint64_t seed,
                             const Mesh& head) {
     if (part.groom) {
         Result<Strands> groom = groomOf(part);
         if (!groom) return groom.problems();
         complete(*groom, part.hair, seed);
-        return PartSource{{}, std::move(*groom), {}};
+        PartSource source = {{}, std::move(*groom)};
+        source.clumps = clumpsOf(part, rootsOf(*source.groom), source.groom->keys);
+        return source;
     }
     Result<Follicles> planted = plant(part.scalp, seed, head);
     if (!planted) return planted.problems();
-    PartSource source = {std::move(*planted), {}, {}};
+    PartSource source = {std::move(*planted), {}};
+    source.clumps = clumpsOf(part, source.follicles.roots, source.follicles.keys);
     if (contact.layers) {
         source.layers = layerMapOf(part.scalp.ellipsoid, source.follicles, part.hair.diameter,
                                    contact.packing.value_or(lyingPacking));
@@ -73,9 +89,14 @@ Strands thinned(const Strands& groom, std::size_t count) {
 // With another number of strands.
 Result<PartSource> resized(PartSource source, const Part& part, const Contact& contact,
                            std::uint64_t seed, const Mesh& head, std::size_t count) {
-    if (source.groom) return PartSource{{}, thinned(*source.groom, count), {}};
-    if (count <= source.size())
-        return PartSource{thin(source.follicles, count), {}, std::move(source.layers)};
+    if (source.groom) {
+        source.groom = thinned(*source.groom, count);
+        return source;
+    }
+    if (count <= source.size()) {
+        source.follicles = thin(source.follicles, count);
+        return source;
+    }
     Part more = part;
     more.scalp.spacing.reset();
     more.scalp.count = static_cast<int>(count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "pipeline/clumps.h"
 #include "pipeline/layers.h"
 
 #include <kushi/follicles.h>
@@ -15,6 +16,7 @@ struct PartSource {
     Follicles follicles;           ///< of hair that grows
     std::optional<Strands> groom;  ///< else; with keys, diameters and colours
     LayerMap layers = {};          ///< what the hair that grows lies on
+    ClumpCentres clumps = {};      ///< of all the style's own strands
 
     std::size_t size() const { return groom ? groom->size() : follicles.size(); }
 };

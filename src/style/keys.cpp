@@ -2,19 +2,12 @@
 #include "style/keys.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace kushi {
 
 namespace {
-
-// Keys of the format that this version does not read yet, in whatever table, and what to do now.
-// When one arrives it moves to the tables of keys.h.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> later = {{
-    {"clump", "leave it out"},
-    {"flyaway", "leave it out"},
-}};
 
 // Optimal string alignment distance (Damerau 1964): three rows of the usual table.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -39,19 +32,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
-
-std::optional<std::string_view> laterKeyAdvice(std::string_view key) {
-    const auto* const found =
-        std::ranges::find(later, key, &std::pair<std::string_view, std::string_view>::first);
-    if (found == later.end()) return std::nullopt;
-    return found->second;
-}
-
-std::vector<std::string_view> laterKeys() {
-    std::vector<std::string_view> keys(later.size());
-    std::ranges::transform(later, keys.begin(), [](const auto& entry) { return entry.first; });
-    return keys;
-}
 
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates) {
     std::string_view best;

@@ -3,18 +3,15 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace kushi {
 
 /// A kind of table of the style file and the keys it may have.
 struct TableKeys {
     std::string_view label;  ///< as problems name it
-    std::array<std::string_view, 20> slots;
+    std::array<std::string_view, 28> slots;
 
     constexpr std::span<const std::string_view> keys() const {
         std::size_t size = 0;
@@ -49,11 +46,30 @@ inline constexpr TableKeys scalp = {
 inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
 inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
 inline constexpr TableKeys groom = {"groom", {"file", "unit", "up", "front", "offset"}};
-inline constexpr TableKeys hair = {
-    "[part.hair]",
-    {"type", "length", "length_variation", "youngs_modulus", "diameter", "density",
-     "flexural_rigidity", "stiffness", "growth", "color", "variation", "shear_modulus", "taper",
-     "curl", "wave", "set", "lift", "towards", "whorl"}};
+inline constexpr TableKeys hair = {"[part.hair]",
+                                   {"type",
+                                    "length",
+                                    "length_variation",
+                                    "youngs_modulus",
+                                    "diameter",
+                                    "density",
+                                    "flexural_rigidity",
+                                    "stiffness",
+                                    "growth",
+                                    "color",
+                                    "variation",
+                                    "shear_modulus",
+                                    "taper",
+                                    "curl",
+                                    "wave",
+                                    "set",
+                                    "lift",
+                                    "towards",
+                                    "whorl",
+                                    "clump",
+                                    "flyaway"}};
+inline constexpr TableKeys clump = {"clump", {"amount", "size", "variation", "from"}};
+inline constexpr TableKeys flyaway = {"flyaway", {"share", "distance"}};
 inline constexpr TableKeys whorl = {"whorl", {"theta", "phi", "turn"}};
 inline constexpr TableKeys curl = {"curl", {"radius", "pitch", "variation"}};
 inline constexpr TableKeys wave = {"wave", {"amplitude", "length", "variation"}};
@@ -67,18 +83,11 @@ inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
 inline constexpr const TableKeys* all[] = {
-    &top,     &head,    &landmarks, &solver, &part,     &scalp,   &ellipsoid,
-    &regions, &hair,    &curl,      &wave,   &force,    &cut,     &roots,
-    &within,  &falloff, &groom,     &tie,    &collider, &contact, &whorl};
+    &top,   &head, &landmarks, &solver,  &part,  &scalp, &ellipsoid, &regions,
+    &hair,  &curl, &wave,      &force,   &cut,   &roots, &within,    &falloff,
+    &groom, &tie,  &collider,  &contact, &whorl, &clump, &flyaway};
 
 }  // namespace tables
-
-/// What to do now instead of a key that only later versions know, in whatever table; nothing if
-/// they do not know it either.
-std::optional<std::string_view> laterKeyAdvice(std::string_view key);
-
-/// Names of all such keys.
-std::vector<std::string_view> laterKeys();
 
 /// The candidate most like `name`, if it is alike enough to be meant: at most one slip (a letter
 /// missing, added, wrong, or two swapped) for every three letters; empty otherwise.

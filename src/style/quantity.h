@@ -83,6 +83,12 @@ inline constexpr Quantity color = {0, 1, "", fromSrgb, {{"of 255", 1.0 / 255}}};
 inline constexpr Quantity set = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 inline constexpr Quantity variation = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 
+inline constexpr Quantity clump = {0, 0.9, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity clumpSize = {0.1, 20, "cm", fromCentimetres, {{"mm", 0.1}}};
+inline constexpr Quantity clumpFrom = {0, 0.9, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity flyawayShare = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity flyawayDistance = {0.05, 20, "cm", fromCentimetres, {{"mm", 0.1}}};
+
 /// From the surface of the scalp.
 inline constexpr Quantity lift = {0, 90, "degrees", radians};
 /// Of hair about a whorl.

@@ -112,6 +112,7 @@ Hair readHair(const Node& node, bool grows, ReadContext& context) {
     readColor(table, hair.color);
     table.number("variation", quantities::variation, hair.variation);
     table.number("set", quantities::set, hair.set);
+    readDress(table, hair);
     return hair;
 }
 

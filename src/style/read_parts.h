@@ -25,6 +25,8 @@ GroomSource readGroomSource(const Entry& entry, ReadContext& context);
 Hair readHair(const Node& node, bool grows, ReadContext& context);
 /// `lift`, `towards` and `whorl` of a hair's table.
 void readLean(const TableReader& table, Hair& hair);
+/// `clump` and `flyaway`, each a number or a table.
+void readDress(const TableReader& table, Hair& hair);
 Force readForce(const Node& node, ReadContext& context);
 Cut readCut(const Node& node, ReadContext& context);
 /// Its place is not finite where it could not be read.

@@ -49,11 +49,6 @@ TableReader::TableReader(const Node& table, const TableKeys& known, ReadContext&
 }
 
 void TableReader::reportUnknown(const Entry& entry) {
-    if (const auto advice = laterKeyAdvice(entry.key)) {
-        context_.problems.add(entry.at, quoted(entry.key) + " is not there yet in this version; " +
-                                            std::string(*advice));
-        return;
-    }
     std::string message =
         "unknown key " + quoted(excerpt(entry.key)) + " in " + context_.label(known_) + "; ";
     const auto home = std::ranges::find_if(

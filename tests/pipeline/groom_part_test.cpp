@@ -160,6 +160,22 @@ TEST(GroomPart, HasTheStylesColourAndDiameterWhereItsFileHasNone) {
     EXPECT_LT(length(groom.strands.nodes[5] - file.nodes[5]), 1e-5F);
 }
 
+TEST(GroomPart, MayBeClumpedAndFlyAway) {
+    Style style = styleOf(arcs(120));
+    const SettledGroom before = settled(style);
+    style.parts[0].hair.clump.amount = 0.6;
+    style.parts[0].hair.clump.size = 0.03;
+    style.parts[0].hair.flyaway.share = 0.1;
+    const SettledGroom after = settled(style);
+    EXPECT_GT(after.report.clumps, 10U);
+    EXPECT_GT(after.report.flyaways, 2U);
+    EXPECT_EQ(after.strands.offsets, before.strands.offsets);
+    EXPECT_EQ(after.strands.colors, before.strands.colors);
+    EXPECT_NE(after.strands.nodes, before.strands.nodes);
+    for (std::size_t i = 0; i < after.strands.size(); ++i)
+        EXPECT_EQ(after.strands.strand(i)[0], before.strands.strand(i)[0]);
+}
+
 TEST(GroomPart, TurnedUpsideDownItFallsTheOtherWay) {
     Style style = styleOf(arcs(12));
     const double before = meanTip(settled(style).strands);

@@ -487,10 +487,25 @@ const Malformed ties[] = {
 INSTANTIATE_TEST_SUITE_P(Ties, MalformedStyle, testing::ValuesIn(ties));
 INSTANTIATE_TEST_SUITE_P(Grooms, MalformedStyle, testing::ValuesIn(grooms));
 
-const Malformed later[] = {
-    {inHair("@clump = 1\n@flyaway = 0.5"), {"'clump' is not there", "'flyaway' is not there"}},
+const Malformed dress[] = {
+    {inHair("clump = @1"), {"clump: found 1, expected a number from 0 to 0.9"}},
+    {inHair("clump = @30"), {"30 % would be 0.3"}},
+    {inHair("clump = @true"),
+     {"clump: found true, expected a number from 0 to 0.9 or a table, as in { amount = 0.3"}},
+    {inHair("clump = @{ size = 1 }"), {"clump has no 'amount', expected a number from 0 to 0.9"}},
+    {inHair("clump = { amount = 0.3, size = @0 }"), {"size: found 0, expected a number from 0.1"}},
+    {inHair("clump = { amount = 0.3, from = @1 }"), {"from: found 1, expected a number from 0"}},
+    {inHair("clump = { amount = 0.3, variation = @2 }"), {"variation: found 2"}},
+    {inHair("clump = { @ammount = 0.3 }"), {"in clump; did you mean 'amount'?"}},
+    {inHair("@clumps = 0.3"), {"did you mean 'clump'?"}},
+    {inHair("flyaway = @1.5"), {"flyaway: found 1.5, expected a number from 0 to 1"}},
+    {inHair("flyaway = @\"some\""), {"flyaway: found the string \"some\", expected a number"}},
+    {inHair("flyaway = @[0.1]"), {"or a table, as in { share = 0.015, distance = 1 }"}},
+    {inHair("flyaway = @{ distance = 1 }"), {"flyaway has no 'share'"}},
+    {inHair("flyaway = { share = 0.1, distance = @0 }"), {"distance: found 0, expected"}},
+    {inHair("@fly_away = 0.3"), {"did you mean 'flyaway'?"}},
 };
-INSTANTIATE_TEST_SUITE_P(LaterKeys, MalformedStyle, testing::ValuesIn(later));
+INSTANTIATE_TEST_SUITE_P(Dress, MalformedStyle, testing::ValuesIn(dress));
 
 const Malformed several[] = {
     {"kushi = 1\n@sead = 5\n[solver]\nsegments = @0\n[scalp]\n# \xE6\xAB\x9B \xE9\xAB\xAA\n"

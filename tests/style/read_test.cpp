@@ -175,6 +175,29 @@ TEST(Style, HairLeansWhereItIsTold) {
     EXPECT_DOUBLE_EQ(hair.lean.whorl->turn, -pi / 4);
 }
 
+TEST(Style, ClumpsAndFlyawaysAreNumbersOrTables) {
+    Hair hair = partWith("").hair;
+    EXPECT_EQ(hair.clump.amount, 0);
+    EXPECT_EQ(hair.flyaway.share, 0);
+    hair = partWith("clump = 0.3\nflyaway = 0.015\n").hair;
+    EXPECT_EQ(hair.clump.amount, 0.3);
+    EXPECT_EQ(hair.clump.size, 0.008);
+    EXPECT_EQ(hair.clump.variation, 0.5);
+    EXPECT_EQ(hair.clump.from, 0.1);
+    EXPECT_EQ(hair.flyaway.share, 0.015);
+    EXPECT_EQ(hair.flyaway.distance, 0.01);
+    hair = partWith(
+               "clump = { amount = 0.9, size = 1.5, variation = 0.2, from = 0.4 }\n"
+               "flyaway = { share = 0.1, distance = 2 }\n")
+               .hair;
+    EXPECT_EQ(hair.clump.amount, 0.9);
+    EXPECT_EQ(hair.clump.size, 0.015);
+    EXPECT_EQ(hair.clump.variation, 0.2);
+    EXPECT_EQ(hair.clump.from, 0.4);
+    EXPECT_EQ(hair.flyaway.share, 0.1);
+    EXPECT_EQ(hair.flyaway.distance, 0.02);
+}
+
 TEST(Style, HairTypesAreDiametersThatADiameterReplaces) {
     EXPECT_EQ(partWith("type = \"fine\"\n").hair.diameter, 60e-6);
     EXPECT_EQ(partWith("type = \"medium\"\n").hair.diameter, 75e-6);
@@ -570,6 +593,8 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::curl, "[hair.curl]\n"},
         {&tables::whorl, "[hair.whorl]\n"},
         {&tables::wave, "[hair.wave]\n"},
+        {&tables::clump, "[hair.clump]\n"},
+        {&tables::flyaway, "[hair.flyaway]\n"},
         {&tables::force, "[[force]]\n"},
         {&tables::cut, "[[cut]]\n"},
         {&tables::tie, "[[tie]]\n"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <kushi/fibre.h>
+#include <kushi/pigment.h>
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,22 @@ TEST(AbsorptionOfColor, ComesBack) {
     }
 }
 
+// A colour stands for the pigment that it is worked out from, also where it is all but black.
+TEST(AbsorptionOfColor, OfWhatPigmentShowsIsThePigments) {
+    for (const float melanin : {0.1F, 0.3F, 1.3F, 4.0F, 8.0F}) {
+        const Rgb pigment = absorptionOfMelanin(melanin, 0.3F);
+        const Rgb back = absorptionOfColor(colorOfAbsorption(pigment, 0.3), 0.3);
+        EXPECT_NEAR(back.r / pigment.r, 1, 1e-4) << melanin;
+        EXPECT_NEAR(back.g / pigment.g, 1, 1e-4) << melanin;
+        // Blue is beyond what shows.
+        if (melanin < 5) {
+            EXPECT_NEAR(back.b / pigment.b, 1, 1e-4) << melanin;
+        }
+    }
+}
+
 TEST(AbsorptionOfColor, OfColoursOutOfRangeIsThatOfTheNearest) {
-    EXPECT_EQ(absorptionOfColor({0, -1, 2}, 0.3), absorptionOfColor({0.001F, 0.001F, 0.99F}, 0.3));
+    EXPECT_EQ(absorptionOfColor({0, -1, 2}, 0.3), absorptionOfColor({1e-6F, 1e-6F, 0.99F}, 0.3));
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"distance_field.h", "geometry"},
                                                          {"head.h", "head"},
                                                          {"strands.h", "groom"},
+                                                         {"subdivide.h", "groom"},
                                                          {"groom_io.h", "io"},
                                                          {"image.h", "io"},
+                                                         {"layered_image.h", "io"},
                                                          {"mesh_io.h", "io"},
                                                          {"style.h", "style"},
                                                          {"follicles.h", "scalp"},
@@ -44,9 +46,9 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"camera.h", "render"},
                                                          {"draw.h", "render"}};
 
-// Image is a plain value that io writes and render fills.
+// Images are plain values that io writes and render fills.
 bool isPlainValue(const std::string& header) {
-    return header == "image.h" || header == "color.h";
+    return header == "image.h" || header == "layered_image.h" || header == "color.h";
 }
 
 std::ptrdiff_t rank(const std::string& layer) {

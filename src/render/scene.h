@@ -92,8 +92,8 @@ public:
     }
     /// Its box, if any of it can be drawn.
     std::optional<SegmentBox> box(std::uint32_t firstNode) const {
-        const Float4 a = std::bit_cast<Float4>(nodes_[firstNode]);
-        const Float4 b = std::bit_cast<Float4>(nodes_[firstNode + 1]);
+        const auto a = std::bit_cast<Float4>(nodes_[firstNode]);
+        const auto b = std::bit_cast<Float4>(nodes_[firstNode + 1]);
         if (a[2] > 0 && b[2] > 0) return boxBetween(a, b);
         const std::optional<ScreenSegment> segment = clippedSegment(firstNode);
         return segment ? std::optional(boxOf(*segment)) : std::nullopt;

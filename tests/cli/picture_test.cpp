@@ -14,10 +14,11 @@ namespace {
 TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
+    const std::string command =
+        "render " + folder + "/a.toml -o " + folder + "/a.png --size 200x100 --threads ";
     std::string first;
     for (const char* threads : {"1", "2", "8"}) {
-        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder +
-                                     "/a.png --size 200x100 --threads " + threads);
+        const Outcome run = runKushi(std::string(command).append(threads));
         ASSERT_EQ(run.status, 0) << run.err;
         const std::string bytes = readBytes(folder + "/a.png");
         ASSERT_EQ(bytes.substr(1, 3), "PNG");
@@ -117,10 +118,11 @@ TEST(RenderCommand, SaysWhichLayersThereAreAndWhere) {
 TEST(RenderCommand, DrawsEveryStrokeAndATransparentBackground) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
+    const std::string command =
+        "render " + folder + "/a.toml -o " + folder + "/a.png --size 64x64 ";
     std::vector<std::string> pictures;
     for (const char* flags : {"", "--stroke line", "--stroke analytic", "--widen 4", "--alpha"}) {
-        const Outcome run =
-            runKushi("render " + folder + "/a.toml -o " + folder + "/a.png --size 64x64 " + flags);
+        const Outcome run = runKushi(std::string(command).append(flags));
         ASSERT_EQ(run.status, 0) << run.err;
         pictures.push_back(readBytes(folder + "/a.png"));
     }

@@ -49,6 +49,9 @@ Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& project
       vertices_(project(projection, mesh.vertices, options.threads)),
       widestLine_(options.stroke == Stroke::Analytic ? -1 : Line::widest),
       widthScale_(options.stroke == Stroke::Line ? 0 : options.widen * projection.focalLength()) {
+    begins_.assign(nodes_.size() + 1, 0);
+    for (const std::uint32_t first : strands.offsets)
+        begins_[first] = 1;
     if (widthScale_ == 0) return;
     parallelFor(nodes_.size(), 65536, options.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

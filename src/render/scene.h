@@ -92,8 +92,8 @@ public:
     }
     /// Its box, if any of it can be drawn.
     std::optional<SegmentBox> box(std::uint32_t firstNode) const {
-        const Float4 a = std::bit_cast<Float4>(nodes_[firstNode]);
-        const Float4 b = std::bit_cast<Float4>(nodes_[firstNode + 1]);
+        const auto a = std::bit_cast<Float4>(nodes_[firstNode]);
+        const auto b = std::bit_cast<Float4>(nodes_[firstNode + 1]);
         if (a[2] > 0 && b[2] > 0) return boxBetween(a, b);
         const std::optional<ScreenSegment> segment = clippedSegment(firstNode);
         return segment ? std::optional(boxOf(*segment)) : std::nullopt;
@@ -103,11 +103,8 @@ public:
     bool isRibbon(const ScreenSegment& segment) const { return segment.widest() > widestLine_; }
     /// The strand that a node belongs to.
     std::size_t strandOf(std::uint32_t node) const;
-    bool beginsStrand(std::uint32_t node) const { return strands_.offsets[strandOf(node)] == node; }
-    bool endsStrand(std::uint32_t node) const {
-        return strands_.offsets[strandOf(node) + 1] == node + 1;
-    }
-
+    bool beginsStrand(std::uint32_t node) const { return begins_[node] != 0; }
+    bool endsStrand(std::uint32_t node) const { return begins_[std::size_t{node} + 1] != 0; }
     /// Asks the memory for a segment that will be wanted soon.
     void prefetch(std::uint32_t firstNode) const {
         __builtin_prefetch(&nodes_[firstNode]);
@@ -125,7 +122,8 @@ private:
     const Mesh& mesh_;
     Projection projection_;
     std::vector<StoredPoint> nodes_, vertices_;
-    double widestLine_;  // samples
+    std::vector<std::uint8_t> begins_;  // by node, and one more
+    double widestLine_;                 // samples
     double widthScale_;  // samples of a metre at a metre; 0: all strands are one sample wide
 };
 

@@ -2,6 +2,8 @@
 #include "cli/program.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,10 +14,11 @@ namespace {
 TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.toml", smallStyle());
+    const std::string command =
+        "render " + folder + "/a.toml -o " + folder + "/a.png --size 200x100 --threads ";
     std::string first;
     for (const char* threads : {"1", "2", "8"}) {
-        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder +
-                                     "/a.png --size 200x100 --threads " + threads);
+        const Outcome run = runKushi(std::string(command).append(threads));
         ASSERT_EQ(run.status, 0) << run.err;
         const std::string bytes = readBytes(folder + "/a.png");
         ASSERT_EQ(bytes.substr(1, 3), "PNG");
@@ -76,6 +79,60 @@ TEST(RenderCommand, DrawsGroomsMadeElsewhere) {
                                  "/a.png --size 64x64 --view 30,10 --supersample 1");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(readBytes(folder + "/a.png").substr(1, 3), "PNG");
+}
+
+TEST(RenderCommand, WritesOpenExrWithTheLayersAskedFor) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const auto render = [&](const std::string& flags) {
+        const Outcome run =
+            runKushi("render " + folder + "/a.toml -o " + folder + "/a.exr --size 64x64 " + flags);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return readBytes(folder + "/a.exr");
+    };
+    const std::string plain = render("");
+    EXPECT_EQ(plain.substr(0, 4), "\x76\x2f\x31\x01");  // the magic number of OpenEXR
+    EXPECT_EQ(plain.find("tangent.X"), std::string::npos);
+    const std::string all = render("--layers depth,tangent,id,mask --threads 1");
+    for (const char* channel : {"A", "B", "G", "R", "Z", "id.strand", "mask.A", "tangent.X"})
+        EXPECT_NE(all.find(std::string(1, '\0') + channel + '\0'), std::string::npos) << channel;
+    EXPECT_EQ(render("--layers depth,tangent,id,mask --threads 5"), all);
+    EXPECT_NE(render("--stroke analytic --layers mask").find("mask.A"), std::string::npos);
+}
+
+TEST(RenderCommand, SaysWhichLayersThereAreAndWhere) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const auto refuse = [&](const std::string& flags, const std::string& why) {
+        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder + flags);
+        EXPECT_EQ(run.status, 2) << flags;
+        EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+    };
+    refuse("/a.png --layers depth", "end it in .exr");
+    refuse("/a.exr --layers depth,colour", "depth,tangent,id,mask; got 'colour'");
+    refuse("/a.tif", ".png or .exr");
+    refuse("/a.png --stroke wide", "--stroke");
+    refuse("/a.png --widen 0", "--widen");
+}
+
+TEST(RenderCommand, DrawsEveryStrokeAndATransparentBackground) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const std::string command =
+        "render " + folder + "/a.toml -o " + folder + "/a.png --size 64x64 ";
+    std::vector<std::string> pictures;
+    for (const char* flags : {"", "--stroke line", "--stroke analytic", "--widen 4", "--alpha"}) {
+        const Outcome run = runKushi(std::string(command).append(flags));
+        ASSERT_EQ(run.status, 0) << run.err;
+        pictures.push_back(readBytes(folder + "/a.png"));
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(pictures[i] == pictures[j]) << i << ' ' << j;
+    }
+    constexpr std::size_t colorType = 25;  // in the header
+    EXPECT_EQ(pictures[0][colorType], 2);
+    EXPECT_EQ(pictures[4][colorType], 6);
 }
 
 }  // namespace

@@ -34,11 +34,11 @@ const std::map<std::string, std::string> headerLayers = {
     {"fibre.h", "shading"},    {"shade.h", "shading"},
     {"shadows.h", "shading"},  {"subdivide.h", "groom"},
     {"layered_image.h", "io"}, {"camera.h", "render"},
-    {"draw.h", "render"}};
+    {"draw.h", "render"}, {"trace.h", "render"}};
 
-// Image is a plain value that io writes and render fills.
+// Images are plain values that io writes and render fills.
 bool isPlainValue(const std::string& header) {
-    return header == "image.h" || header == "color.h";
+    return header == "image.h" || header == "layered_image.h" || header == "color.h";
 }
 
 std::ptrdiff_t rank(const std::string& layer) {

@@ -3,6 +3,7 @@
 #include "io/test_bytes.h"
 
 #include <kushi/image.h>
+#include <kushi/layered_image.h>
 
 #include <cmath>
 #include <filesystem>
@@ -115,6 +116,21 @@ TEST(Png, AFullDiskIsTheMachinesProblem) {
     ASSERT_FALSE(written.ok());
     EXPECT_TRUE(written.problems().front().system);
     EXPECT_EQ(written.problems().front().message, "cannot write: No space left on device");
+}
+
+TEST(Png, AlphaIsNotMultipliedIn) {
+    const test::TempFolder folder;
+    const std::string path = folder.path("alpha.png");
+    LayeredImage image;
+    image.image = {3, 1, {{0.5F, 0.25F, 0}, {0, 0, 0}, {0.2F, 0.4F, 1}}};
+    image.alpha = {0.5F, 0, 1};
+    ASSERT_TRUE(writePng(image, path).ok());
+    const Decoded decoded = decode(path);
+    EXPECT_EQ(decoded.format, unsigned{PNG_FORMAT_RGBA});
+    EXPECT_THAT(decoded.bytes,
+                ElementsAre(255, srgb(0.5), 0, 128, 0, 0, 0, 0, srgb(0.2), srgb(0.4), 255, 255));
+    image.alpha.pop_back();
+    EXPECT_FALSE(writePng(image, path).ok());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ struct GroomFlags {
     std::string solids;  ///< a style; empty: the mannequin
 };
 
+/// What only `--engine path` heeds.
+struct PathFlags {
+    std::optional<int> samples, bounces;
+    std::optional<float> noise;
+    std::optional<std::uint64_t> seed;
+};
+
 struct SettleArguments {
     std::string input, output, reportPath;
     SettleFlags flags;
@@ -48,6 +56,8 @@ struct RenderArguments {
     std::string size = "1024x1024";
     std::string view = "three-quarter";
     int supersample = 4;
+    std::string engine = "raster";
+    PathFlags path;
     SettleFlags flags;
 };
 

@@ -10,11 +10,41 @@
 
 namespace kushi {
 
+namespace {
+
+Status onlyForPaths(const RenderArguments& arguments) {
+    const PathFlags& path = arguments.path;
+    if (arguments.engine == "path" || !(path.samples || path.bounces || path.noise || path.seed)) {
+        return std::monostate{};
+    }
+    return Problem{"--spp, --bounces, --noise and --seed are for --engine path"};
+}
+
+Result<Image> traced(const Scene& scene, const Camera& camera, const DrawOptions& draw,
+                     const PathFlags& flags, StageClock& clock) {
+    TraceOptions options;
+    options.width = draw.width;
+    options.height = draw.height;
+    options.background = draw.background;
+    options.threads = draw.threads;
+    options.samplesPerPixel = flags.samples.value_or(options.samplesPerPixel);
+    options.bounces = flags.bounces.value_or(options.bounces);
+    options.noise = flags.noise.value_or(options.noise);
+    options.seed = flags.seed.value_or(options.seed);
+    Result<Traced> result = traceScene(scene, camera, options, clock);
+    if (!result) return result.problems();
+    std::printf("%.4g samples a pixel, noise %.2g %%\n", result->samples, 100 * result->noise);
+    return std::move(result->image);
+}
+
+}  // namespace
+
 int runRender(const RenderArguments& arguments) {
     const Result<std::pair<int, int>> size = parseSize(arguments.size, "--size");
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
     if (!view) return report(view.problems());
+    if (const Status flags = onlyForPaths(arguments); !flags) return report(flags.problems());
     if (const Status ending = hasEnding(arguments.output, {".png"}, "the picture"); !ending) {
         return report(ending.problems());
     }
@@ -32,8 +62,11 @@ int runRender(const RenderArguments& arguments) {
     options.supersample = arguments.supersample;
     options.threads = arguments.flags.threads;
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
-    const Image image = drawScene(*scene, camera, options, clock);
-    if (const Status written = writePng(image, arguments.output); !written)
+    const Result<Image> image = arguments.engine == "path"
+                                    ? traced(*scene, camera, options, arguments.path, clock)
+                                    : drawScene(*scene, camera, options, clock);
+    if (!image) return report(image.problems());
+    if (const Status written = writePng(*image, arguments.output); !written)
         return report(written.problems());
     clock.end("write");
     if (reporting) {

@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include "input.h"
+#include "progress.h"
 
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
@@ -98,6 +99,17 @@ Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, 
     Image image = draw(scene.strands, colors, scene.head, camera, options);
     clock.end("draw");
     return image;
+}
+
+Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceOptions& options,
+                          StageClock& clock) {
+    ProgressBar bar("tracing");
+    TraceOptions shown = options;
+    shown.progress = [&](double share) { bar.show(share); };
+    Result<Traced> traced =
+        trace(scene.strands, scene.head, scene.skin, studioLights(), camera, TraceLook{}, shown);
+    clock.end("trace");
+    return traced;
 }
 
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag) {

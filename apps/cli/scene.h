@@ -7,6 +7,7 @@
 #include <kushi/camera.h>
 #include <kushi/draw.h>
 #include <kushi/settle.h>
+#include <kushi/trace.h>
 
 #include <optional>
 #include <string>
@@ -33,6 +34,10 @@ Camera portrait(const Scene& scene, View view, double aspect);
 
 /// The picture, by the studio's lights. Stages `shade` and `draw`.
 Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
+
+/// The same light, followed through every hair, with a progress bar. Stage `trace`.
+Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceOptions& options,
+                          StageClock& clock);
 
 /// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);

@@ -26,4 +26,5 @@
 #include <kushi/shade.h>
 #include <kushi/strands.h>
 #include <kushi/style.h>
+#include <kushi/trace.h>
 #include <kushi/vec.h>

@@ -57,4 +57,8 @@ StoredPoint Projection::store(Vec3f world) const {
     return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.q)};
 }
 
+Vec3d Projection::through(double x, double y) const {
+    return forward_ + ((x - centerX_) * right_ + (y - centerY_) * down_) / focal_;
+}
+
 }  // namespace kushi

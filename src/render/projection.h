@@ -42,6 +42,9 @@ public:
     /// Of a point with view.z >= nearPlane().
     ScreenPoint toScreen(Vec3d view) const;
     StoredPoint store(Vec3f world) const;
+    /// From the eye through a point of the grid; view.z is 1.
+    Vec3d through(double x, double y) const;
+    Vec3d eye() const { return eye_; }
 
     /// Depth from 0 at the near plane to fullDepth at infinity, for integer arithmetic. Linear over
     /// the picture; at the target one unit of the 30 bits that count is about a millionth of its

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> layers = {"core", "geometry", "head",    "groom",
-                                         "io",   "style",    "scalp",   "contact",
-                                         "rod",  "pipeline", "shading", "render"};
+const std::vector<std::string> layers = {"core",    "geometry", "head",    "groom", "io",
+                                         "style",   "scalp",    "contact", "rod",   "pipeline",
+                                         "shading", "render",   "trace"};
 
 // Which layer implements each public header; kushi.h includes all of them.
 const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
@@ -43,7 +43,8 @@ const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
                                                          {"fibre.h", "shading"},
                                                          {"shade.h", "shading"},
                                                          {"camera.h", "render"},
-                                                         {"draw.h", "render"}};
+                                                         {"draw.h", "render"},
+                                                         {"trace.h", "trace"}};
 
 // Image is a plain value that io writes and render fills.
 bool isPlainValue(const std::string& header) {

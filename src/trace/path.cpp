@@ -72,7 +72,7 @@ private:
     std::optional<Ray> scatter(const Meeting& met, const Ray& ray, int scattered) {
         const Vec3f toEye = -ray.direction;
         if (met.kind == Meeting::Kind::Hair) {
-            const HairSpot spot = world_.hairAt(met, ray.direction);
+            const HairSpot spot = world_.hairAt(met, ray);
             return turn(HairPoint(world_.fibre(), spot, toEye, weight_), scattered);
         }
         const TraceLook& look = world_.look();

@@ -24,8 +24,8 @@ public:
     const FibreModel<float>& fibre() const { return fibre_; }
     const TraceLook& look() const { return look_; }
 
-    /// What a ray along `direction` has met on a hair.
-    HairSpot hairAt(const Meeting& met, Vec3f direction) const;
+    /// What a ray has met on a hair.
+    HairSpot hairAt(const Meeting& met, const Ray& ray) const;
     /// What it has met on the head.
     SkinSpot skinAt(const Meeting& met, const Ray& ray) const;
 

@@ -23,8 +23,7 @@ struct Meeting {
     /// Hair: the segment's first node. Head: the triangle.
     std::uint32_t which = 0;
     float distance = 0;  ///< m
-    /// Hair: how far along the segment and, from -1 to 1, across it. Head: weights of the second
-    /// and the third corner.
+    /// Hair: u is how far along the segment. Head: weights of the second and the third corner.
     float u = 0, v = 0;
 };
 

@@ -53,7 +53,7 @@ World::World(const Strands& strands, const Mesh& head, std::span<const Rgb> skin
     });
 }
 
-HairSpot World::hairAt(const Meeting& met, Vec3f direction) const {
+HairSpot World::hairAt(const Meeting& met, const Ray& ray) const {
     const Node& a = nodes_[met.which];
     const Node& b = nodes_[met.which + 1];
     const float u = met.u;
@@ -63,9 +63,9 @@ HairSpot World::hairAt(const Meeting& met, Vec3f direction) const {
     spot.tangent = unitOr((1 - u) * a.tangent + u * b.tangent, spot.segment);
     spot.radius = (1 - u) * a.radius + u * b.radius;
     spot.absorption = (1 - u) * a.absorption + u * b.absorption;
-    // Embree's ribbon grows along direction x segment.
-    spot.h = std::clamp(met.v, -1.0F, 1.0F);
-    (void)direction;
+    // How far beside the axis the ray runs.
+    const Vec3f across = unitOr(cross(ray.direction, spot.segment), {});
+    spot.h = std::clamp(dot(spot.axis - ray.origin, across) / spot.radius, -1.0F, 1.0F);
     return spot;
 }
 

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "shading/fibre_model.h"
-#include "trace/axes.h"
+#include "trace/hair_band.h"
 #include "trace/ray_scene.h"
 #include "trace/sampler.h"
-
-#include <array>
 
 namespace kushi {
 
 /// A direction that light was followed along, and what that makes of it.
 struct Turn {
     Vec3f direction;
-    Rgb weight;     ///< response / pdf
-    float pdf = 0;  ///< 1/sr
-};
-
-/// Light from one direction.
-struct Response {
-    Rgb value;      ///< f |cos|
-    float pdf = 0;  ///< with which sample() gives that direction, 1/sr
+    Rgb weight;       ///< response / pdf, in the mean
+    bool ok = false;  ///< else the light is lost
 };
 
 /// A place on a hair that a ray has met.
@@ -37,45 +28,50 @@ struct HairSpot {
 class HairPoint {
 public:
     /// toEye   unit
+    /// places  across the hair, whose mean is shown
     /// wanted  what a unit of each colour is worth; lobes are sampled accordingly
-    HairPoint(const FibreModel<float>& model, const HairSpot& spot, Vec3f toEye, Rgb wanted)
-        : spot_(spot),
+    HairPoint(const FibreModel<float>& model, const HairSpot& spot, Vec3f toEye, Places places,
+              Rgb wanted)
+        : model_(model),
+          spot_(spot),
+          places_(places),
           outward_(outwardOf(spot.tangent, toEye)),
           around_(cross(spot.tangent, outward_)),
-          view_(model, spot.h, std::clamp(dot(toEye, spot.tangent), -1.0F, 1.0F),
-                cosineOf(dot(toEye, spot.tangent))) {
-        const auto red = view_.attenuations(spot.absorption.r);
-        const auto green = view_.attenuations(spot.absorption.g);
-        const auto blue = view_.attenuations(spot.absorption.b);
-        float sum = 0;
-        for (std::size_t p = 0; p < 4; ++p) {
-            parts_[p] = {red[p], green[p], blue[p]};
-            shares_[p] = luminance(wanted * parts_[p]);
-            sum += shares_[p];
-        }
-        for (float& share : shares_)
-            share = sum > 0 ? share / sum : 0.25F;
-    }
+          sinOut_(sineOf(toEye)),
+          cosOut_(cosineOf(sinOut_)),
+          band_(model, places, sinOut_, cosOut_, spot.absorption, wanted) {}
 
     Response response(Vec3f in) const {
-        const float sine = std::clamp(dot(in, spot_.tangent), -1.0F, 1.0F);
-        return respond({sine, cosineOf(sine), std::atan2(dot(in, around_), dot(in, outward_))});
+        const float sine = sineOf(in);
+        return band_.response(
+            {sine, cosineOf(sine), std::atan2(dot(in, around_), dot(in, outward_))});
     }
 
+    /// From the place that was met, or the one next to it.
     Turn sample(Pair a, float w) const {
+        const auto met = static_cast<std::size_t>((spot_.h + 1) / 2 * Places::count);
+        const std::size_t k = std::min(met, Places::count - 1);
+        const std::array<float, 4> shares = band_.shares(k);
         std::size_t p = 0;
         float before = 0;
-        while (p < 3 && a.u >= before + shares_[p])
-            before += shares_[p++];
+        while (p < 3 && a.u >= before + shares[p])
+            before += shares[p++];
+        if (!(shares[p] > 0)) return {};
         // What is left of u is uniform again.
-        const float rest = std::clamp((a.u - before) / shares_[p], 0.0F, 1 - 0x1p-24F);
-        const FibreIncidence<float> in = view_.sample(p, rest, a.v, w);
-        const Vec3f direction =
-            in.sinTheta * spot_.tangent +
-            in.cosTheta * (std::cos(in.phi) * outward_ + std::sin(in.phi) * around_);
-        const Response found = respond(in);
-        if (!(found.pdf > 0)) return {};
-        return {direction, found.value * (1 / found.pdf), found.pdf};
+        const float rest = std::clamp((a.u - before) / shares[p], 0.0F, 1 - 0x1p-24F);
+        const FibreView<float> view(model_, places_.h(k), sinOut_, cosOut_);
+        const FibreIncidence<float> in = view.sample(p, rest, a.v, w);
+        const std::array<float, 4> spread = view.spread(in);
+        const std::array<Rgb, 4> parts = band_.parts(k);
+        Rgb value;
+        float pdf = 0;
+        for (p = 0; p < 4; ++p) {
+            value += spread[p] * parts[p];
+            pdf += spread[p] * shares[p];
+        }
+        if (!(pdf > 0)) return {};
+        const Vec3f across = std::cos(in.phi) * outward_ + std::sin(in.phi) * around_;
+        return {in.sinTheta * spot_.tangent + in.cosTheta * across, value * (1 / pdf), true};
     }
 
     /// The way of light that leaves, or comes in, along `direction`: from the axis, and nothing
@@ -88,6 +84,9 @@ public:
     }
 
 private:
+    float sineOf(Vec3f direction) const {
+        return std::clamp(dot(direction, spot_.tangent), -1.0F, 1.0F);
+    }
     static float cosineOf(float sine) { return std::sqrt(std::max(0.0F, 1 - sine * sine)); }
 
     /// The direction normal to the hair that is nearest to the eye's.
@@ -97,21 +96,12 @@ private:
         return size > 1e-4F ? across / size : anyNormal(tangent);
     }
 
-    Response respond(FibreIncidence<float> in) const {
-        const std::array<float, 4> spread = view_.spread(in);
-        Response result;
-        for (std::size_t p = 0; p < 4; ++p) {
-            result.value += spread[p] * parts_[p];
-            result.pdf += spread[p] * shares_[p];
-        }
-        return result;
-    }
-
+    const FibreModel<float>& model_;
     const HairSpot& spot_;
+    Places places_;
     Vec3f outward_, around_;
-    FibreView<float> view_;
-    std::array<Rgb, 4> parts_{};     // A_p
-    std::array<float, 4> shares_{};  // probabilities of the lobes
+    float sinOut_, cosOut_;
+    HairBand band_;
 };
 
 }  // namespace kushi

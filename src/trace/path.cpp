@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kajiya's path tracing with light sampling at every meeting, both ways weighed by the balance
+// Kajiya's path tracing with light sampling at every meeting, both ways weighed by the power
 // heuristic (Veach and Guibas 1995).
 #include "trace/path.h"
 
@@ -29,6 +29,11 @@ void shareDiscs(const Point& point, const Sky& sky, Rgb wanted, std::vector<floa
     }
 }
 
+/// What the first of two ways of finding a direction counts for.
+float powerShare(float pdf, float other) {
+    return pdf * pdf / (pdf * pdf + other * other);
+}
+
 class Path {
 public:
     Path(const World& world, Sampler& random, PathLimits limits, std::vector<float>& shares)
@@ -39,7 +44,7 @@ public:
         for (int scattered = 0;; ++scattered) {
             const Meeting met = world_.first(ray);
             if (met.kind == Meeting::Kind::Nothing) {
-                if (scattered > 0) addSky(ray.direction, scattered);
+                if (scattered > 0) add(sky_, scattered);
                 break;
             }
             seen.covered = true;
@@ -57,23 +62,28 @@ public:
 private:
     void add(Rgb light, int scattered) { (scattered > 1 ? often_ : once_) += weight_ * light; }
 
-    /// What the last turn happened to find.
-    void addSky(Vec3f direction, int scattered) {
+    /// Light of the sky along a turn, if nothing is in the way.
+    template <class Point>
+    Rgb skyAlong(const Point& point, Vec3f direction) const {
         const Sky& sky = world_.sky();
         Rgb light = sky.dome;
         for (std::size_t i = 0; i < sky.discs.size(); ++i) {
             const Disc& disc = sky.discs[i];
-            if (disc.holds(direction))
-                light += pdf_ / (pdf_ + shares_[i] / disc.solidAngle) * disc.radiance;
+            if (!disc.holds(direction)) continue;
+            light += powerShare(point.response(direction).pdf, shares_[i] / disc.solidAngle) *
+                     disc.radiance;
         }
-        add(light, scattered);
+        return light;
     }
 
     std::optional<Ray> scatter(const Meeting& met, const Ray& ray, int scattered) {
         const Vec3f toEye = -ray.direction;
         if (met.kind == Meeting::Kind::Hair) {
             const HairSpot spot = world_.hairAt(met, ray);
-            return turn(HairPoint(world_.fibre(), spot, toEye, weight_), scattered);
+            // By chance a path arrives anywhere across a hair, and a pixel shows all of a thin one.
+            const bool thin = scattered > 0 || 2 * spot.radius < limits_.pixel * met.distance;
+            const Places places = thin ? Places::all(random_.single()) : Places::one(spot.h);
+            return turn(HairPoint(world_.fibre(), spot, toEye, places, weight_), scattered);
         }
         const TraceLook& look = world_.look();
         const SkinSpot spot = world_.skinAt(met, ray);
@@ -86,10 +96,10 @@ private:
         const Pair second = random_.pair();
         if (!world_.sky().discs.empty()) addDisc(point, second.v, random_.pair(), scattered + 1);
         const Turn turned = point.sample(first, second.u);
-        if (!(turned.pdf > 0)) return std::nullopt;
+        if (!turned.ok) return std::nullopt;
         weight_ = weight_ * turned.weight;
-        pdf_ = turned.pdf;
         if (!survives(scattered)) return std::nullopt;
+        sky_ = skyAlong(point, turned.direction);
         return point.leaving(turned.direction);
     }
 
@@ -104,10 +114,11 @@ private:
         const Disc& disc = sky.discs[i];
         const Vec3f direction = disc.sample(place);
         const Response response = point.response(direction);
-        const Rgb light = disc.radiance * response.value;
+        const float pdf = shares_[i] / disc.solidAngle;
+        const Rgb light = disc.radiance * response.value * (powerShare(pdf, response.pdf) / pdf);
         if (!(brightest(light) > 0)) return;
         if (world_.blocked(point.leaving(direction))) return;
-        add(light * (1 / (shares_[i] / disc.solidAngle + response.pdf)), scattered);
+        add(light, scattered);
     }
 
     /// Paths that can bring little are given up by chance, the others made good for them.
@@ -125,7 +136,7 @@ private:
     PathLimits limits_;
     std::vector<float>& shares_;  // of the discs, at the last place
     Rgb weight_ = {1, 1, 1};      // what a unit of light from here on brings
-    float pdf_ = 0;               // of the last turn, 1/sr
+    Rgb sky_;                     // that the last turn goes to
     Rgb once_, often_;            // light that was scattered so many times
 };
 

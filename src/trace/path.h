@@ -49,6 +49,7 @@ private:
 struct PathLimits {
     int bounces = 64;
     float clamp = 0;  ///< as in TraceOptions
+    float pixel = 0;  ///< how wide a pixel is, as a share of its distance
 };
 
 /// What came along one path.

@@ -39,7 +39,7 @@ public:
         if (!(in.z > 0)) return {};
         const Response found = respond(in);
         if (!(found.pdf > 0)) return {};
-        return {axes_.toWorld(in), found.value * (1 / found.pdf), found.pdf};
+        return {axes_.toWorld(in), found.value * (1 / found.pdf), true};
     }
 
     Ray leaving(Vec3f direction) const {

@@ -87,7 +87,8 @@ private:
     }
 
     void addSamples(int until) {
-        const PathLimits limits = {options_.bounces, options_.clamp};
+        const double width = length(projection_.through(1, 0) - projection_.through(0, 0));
+        const PathLimits limits = {options_.bounces, options_.clamp, static_cast<float>(width)};
         forEachPixel([&](int x, int y, Pixel& pixel) {
             const std::uint64_t key = mixKey(options_.seed, number(x, y));
             for (int i = samples_; i < until; ++i) {

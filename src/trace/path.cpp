@@ -124,7 +124,7 @@ private:
     /// Paths that can bring little are given up by chance, the others made good for them.
     bool survives(int scattered) {
         if (scattered < 2) return true;
-        const float chance = std::min(1.0F, brightest(weight_));
+        const float chance = std::min(1.0F, 2 * brightest(weight_));
         if (chance >= 1) return true;
         if (!(random_.single() < chance)) return false;
         weight_ = weight_ * (1 / chance);

@@ -18,8 +18,7 @@ constexpr double pi = std::numbers::pi;
 FibreDirection about(Vec3d tangent, Vec3d direction) {
     const Vec3d x = normalized(cross(Vec3d{0.3, 0.5, -0.8}, tangent));
     const Vec3d y = cross(tangent, x);
-    return {std::asin(dot(direction, tangent)),
-            std::atan2(dot(direction, y), dot(direction, x))};
+    return {std::asin(dot(direction, tangent)), std::atan2(dot(direction, y), dot(direction, x))};
 }
 
 /// What the light sends to the eye from a place on the hair whose surface is turned to `normal`.
@@ -37,10 +36,8 @@ double radiance(const Fibre& fibre, double absorption, Vec3d tangent, Vec3d norm
             const double low = (1 - std::cos(light.halfAngle)) * (i + 0.5) / rings;
             const double sine = std::sqrt(low * (2 - low));
             const double turn = pi * (j + 0.5) / rings;
-            const Vec3d in =
-                (1 - low) * middle + sine * (std::cos(turn) * x + std::sin(turn) * y);
-            const FibreLobes lobes =
-                fibreResponse(fibre, absorption, h, out, about(tangent, in));
+            const Vec3d in = (1 - low) * middle + sine * (std::cos(turn) * x + std::sin(turn) * y);
+            const FibreLobes lobes = fibreResponse(fibre, absorption, h, out, about(tangent, in));
             sum += std::accumulate(lobes.begin(), lobes.end(), 0.0);
         }
     }
@@ -70,14 +67,12 @@ TEST(Trace, ShowsOneHairAsTheModelHasIt) {
     options.width = 21;
     options.height = 21;
     options.bounces = 1;
-    const double absorption =
-        static_cast<double>(absorptionOfColor(color, fibre.azimuthal).r);
-    for (const Vec3f towards : {Vec3f{0.8F, 0.05F, 0.7F}, Vec3f{-0.5F, 0.2F, -1}, Vec3f{0.2F, -0.2F, 1},
-                                Vec3f{-0.9F, 0, 0.1F}}) {
+    const double absorption = static_cast<double>(absorptionOfColor(color, fibre.azimuthal).r);
+    for (const Vec3f towards : {Vec3f{0.8F, 0.05F, 0.7F}, Vec3f{-0.5F, 0.2F, -1},
+                                Vec3f{0.2F, -0.2F, 1}, Vec3f{-0.9F, 0, 0.1F}}) {
         const Light light = {normalized(towards), {2, 2, 2}, 0.12F};
         const Lights lights = {.ambient = black, .distant = {light}};
-        const Result<Traced> traced =
-            trace(strands, {}, {}, lights, camera, look, options);
+        const Result<Traced> traced = trace(strands, {}, {}, lights, camera, look, options);
         ASSERT_TRUE(traced.ok());
         double sum = 0;
         double difference = 0;
@@ -90,17 +85,16 @@ TEST(Trace, ShowsOneHairAsTheModelHasIt) {
                 const Vec3d toEye = normalized(Vec3d{-right, 0, 10});
                 // The hair's surface where the eye sees it at `right`.
                 const Vec3d across = normalized(cross(tangent, toEye));
-                const double h = std::clamp(dot(across, Vec3d{right, 0, 0}) / (diameter / 2), -1.0, 1.0);
+                const double h =
+                    std::clamp(dot(across, Vec3d{right, 0, 0}) / (diameter / 2), -1.0, 1.0);
                 const Vec3d facing = cross(across, tangent);
                 const Vec3d normal = h * across + std::sqrt(1 - h * h) * facing;
                 truth += radiance(fibre, absorption, tangent, normal, toEye, light) / steps;
             }
             const double found = traced->image.at(x, 10).r;
-            std::printf("%g/%g ", found, truth);
             sum += truth;
             difference += std::abs(found - truth);
         }
-        std::printf("\n");
         EXPECT_LT(difference, 0.03 * sum) << towards.x;
     }
 }

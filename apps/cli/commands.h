@@ -55,6 +55,7 @@ struct RenderArguments {
     std::string input, output, reportPath;
     std::string size = "1024x1024";
     std::string view = "three-quarter";
+    std::string look = "natural";
     int supersample = 4;
     std::string engine = "raster";
     PathFlags path;
@@ -66,6 +67,7 @@ struct SheetArguments {
     std::string output;
     std::string cell = "512x512";
     std::string views = "three-quarter";  ///< separated by slashes
+    std::string look = "natural";
     int supersample = 4;
     SettleFlags flags;
 };

@@ -135,8 +135,7 @@ void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
 void addEngineFlags(CLI::App& command, RenderArguments& arguments) {
     command
         .add_option("--engine", arguments.engine,
-                    "raster (the paper's shading, at once) or path (light followed through every "
-                    "hair, in minutes)")
+                    "raster (at once) or path (light followed through every hair, in minutes)")
         ->check(CLI::IsMember({"raster", "path"}))
         ->capture_default_str();
     command.add_option("--spp", arguments.path.samples, "Path: samples per pixel (64)")
@@ -151,6 +150,14 @@ void addEngineFlags(CLI::App& command, RenderArguments& arguments) {
                     "as 0.02")
         ->check(between(0, 1));
     command.add_option("--seed", arguments.path.seed, "Path: of chance (0)");
+}
+
+void addLook(CLI::App& command, std::string& look) {
+    command
+        .add_option("--look", look,
+                    "natural: fibres in their own shadow; paper: as in 1992, lines without shadow")
+        ->check(CLI::IsMember({"natural", "paper"}))
+        ->capture_default_str();
 }
 
 void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
@@ -169,6 +176,7 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "front, back, left, right, top, three-quarter, or YAW,PITCH in degrees (left: from the "
             "person's left)")
         ->capture_default_str();
+    addLook(*command, arguments.look);
     addEngineFlags(*command, arguments);
     addSettleFlags(*command, arguments.flags);
     command->add_option("--report", arguments.reportPath,
@@ -197,6 +205,7 @@ void addSheet(CLI::App& program, SheetArguments& arguments, int& status) {
                      "Samples per pixel along each axis; strands are one sample wide")
         ->check(CLI::IsMember({1, 2, 4}))
         ->capture_default_str();
+    addLook(*command, arguments.look);
     addSettleFlags(*command, arguments.flags);
     command->footer(
         "One view of each makes a block, several make a row for each style.\n"

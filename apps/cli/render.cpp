@@ -12,12 +12,14 @@ namespace kushi {
 
 namespace {
 
-Status onlyForPaths(const RenderArguments& arguments) {
+Status checkEngine(const RenderArguments& arguments) {
     const PathFlags& path = arguments.path;
-    if (arguments.engine == "path" || !(path.samples || path.bounces || path.noise || path.seed)) {
-        return std::monostate{};
-    }
-    return Problem{"--spp, --bounces, --noise and --seed are for --engine path"};
+    const bool traces = arguments.engine == "path";
+    if (!traces && (path.samples || path.bounces || path.noise || path.seed))
+        return Problem{"--spp, --bounces, --noise and --seed are for --engine path"};
+    if (traces && lookNamed(arguments.look) == Look::Paper)
+        return Problem{"--look paper is for --engine raster; --engine path has the natural look"};
+    return std::monostate{};
 }
 
 Result<Image> traced(const Scene& scene, const Camera& camera, const DrawOptions& draw,
@@ -25,7 +27,6 @@ Result<Image> traced(const Scene& scene, const Camera& camera, const DrawOptions
     TraceOptions options;
     options.width = draw.width;
     options.height = draw.height;
-    options.background = draw.background;
     options.threads = draw.threads;
     options.samplesPerPixel = flags.samples.value_or(options.samplesPerPixel);
     options.bounces = flags.bounces.value_or(options.bounces);
@@ -34,7 +35,7 @@ Result<Image> traced(const Scene& scene, const Camera& camera, const DrawOptions
     Result<Traced> result = traceScene(scene, camera, options, clock);
     if (!result) return result.problems();
     std::printf("%.4g samples a pixel, noise %.2g %%\n", result->samples, 100 * result->noise);
-    return std::move(result->image);
+    return rolledOff(std::move(result->image));
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ int runRender(const RenderArguments& arguments) {
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
     if (!view) return report(view.problems());
-    if (const Status flags = onlyForPaths(arguments); !flags) return report(flags.problems());
+    if (const Status flags = checkEngine(arguments); !flags) return report(flags.problems());
     if (const Status ending = hasEnding(arguments.output, {".png"}, "the picture"); !ending) {
         return report(ending.problems());
     }
@@ -62,9 +63,10 @@ int runRender(const RenderArguments& arguments) {
     options.supersample = arguments.supersample;
     options.threads = arguments.flags.threads;
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
-    const Result<Image> image = arguments.engine == "path"
-                                    ? traced(*scene, camera, options, arguments.path, clock)
-                                    : drawScene(*scene, camera, options, clock);
+    const Result<Image> image =
+        arguments.engine == "path"
+            ? traced(*scene, camera, options, arguments.path, clock)
+            : drawScene(*scene, camera, options, lookNamed(arguments.look), clock);
     if (!image) return report(image.problems());
     if (const Status written = writePng(*image, arguments.output); !written)
         return report(written.problems());

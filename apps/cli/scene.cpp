@@ -7,6 +7,7 @@
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
 #include <kushi/shade.h>
+#include <kushi/shadows.h>
 
 #include <charconv>
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double collar = 0.035;
 
 constexpr Rgb skin = {0.62F, 0.56F, 0.52F};
+constexpr Rgb backdrop = {0.40F, 0.41F, 0.43F};
 constexpr Rgb felt = {0.16F, 0.17F, 0.20F};  // of what is no head
 
 void append(Mesh& to, const Mesh& from) {
@@ -58,6 +60,27 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     return scene;
 }
 
+// A colour for each node, and for each of the head's vertices in it.
+std::vector<Rgb> naturalColors(Scene& scene, Vec3f eye, int threads, StageClock& clock) {
+    const Lights lights = portraitLights();
+    const Shadows shadows(scene.strands, scene.head, lights, threads);
+    clock.end("shadows");
+    std::vector<Rgb> colors(scene.strands.nodes.size());
+    shade(scene.strands, lights, shadows, FibreLook(), eye, colors, threads);
+    scene.head.colors = shadeMatt(scene.head, lights, scene.skin, shadows);
+    return colors;
+}
+
+std::vector<Rgb> paperColors(Scene& scene, Vec3f eye, int threads) {
+    const Lights lights = studioLights();
+    HairLook look;
+    look.body = scene.body;
+    std::vector<Rgb> colors(scene.strands.nodes.size());
+    shade(scene.strands, lights, look, eye, colors, threads);
+    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+    return colors;
+}
+
 }  // namespace
 
 Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool measurePenetration,
@@ -88,15 +111,20 @@ Camera portrait(const Scene& scene, View view, double aspect) {
     return frame(bounds, view, aspect);
 }
 
-Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock) {
-    const Lights lights = studioLights();
-    HairLook look;
-    look.body = scene.body;
-    std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, look, camera.eye, colors, options.threads);
-    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+Look lookNamed(const std::string& name) {
+    return name == "paper" ? Look::Paper : Look::Natural;
+}
+
+Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
+                StageClock& clock) {
+    const bool natural = look == Look::Natural;
+    const std::vector<Rgb> colors = natural
+                                        ? naturalColors(scene, camera.eye, options.threads, clock)
+                                        : paperColors(scene, camera.eye, options.threads);
     clock.end("shade");
+    options.background = natural ? backdrop : DrawOptions().background;
     Image image = draw(scene.strands, colors, scene.head, camera, options);
+    if (natural) image = rolledOff(std::move(image));
     clock.end("draw");
     return image;
 }
@@ -105,9 +133,10 @@ Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceO
                           StageClock& clock) {
     ProgressBar bar("tracing");
     TraceOptions shown = options;
+    shown.background = backdrop;
     shown.progress = [&](double share) { bar.show(share); };
     Result<Traced> traced =
-        trace(scene.strands, scene.head, scene.skin, studioLights(), camera, TraceLook{}, shown);
+        trace(scene.strands, scene.head, scene.skin, portraitLights(), camera, TraceLook{}, shown);
     clock.end("trace");
     return traced;
 }

@@ -32,10 +32,21 @@ Result<Scene> loadScene(const std::string& path, const SettleFlags& flags, bool 
 /// picture.
 Camera portrait(const Scene& scene, View view, double aspect);
 
-/// The picture, by the studio's lights. Stages `shade` and `draw`.
-Image drawScene(Scene& scene, const Camera& camera, const DrawOptions& options, StageClock& clock);
+enum class Look {
+    Natural,  ///< fibres in their own shadow, by portrait lights, fit for a screen
+    Paper,    ///< that of 1992, by the studio's lights
+};
 
-/// The same light, followed through every hair, with a progress bar. Stage `trace`.
+/// "natural" or "paper".
+Look lookNamed(const std::string& name);
+
+/// The picture; `options` but for the background, which is the look's. Stages `shadows`, of the
+/// natural look, `shade` and `draw`.
+Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
+                StageClock& clock);
+
+/// The natural look by light that is followed through every hair, before it is made fit for a
+/// screen, with a progress bar; `options` but for the background. Stage `trace`.
 Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceOptions& options,
                           StageClock& clock);
 

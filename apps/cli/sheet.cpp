@@ -95,7 +95,8 @@ int runSheet(const SheetArguments& arguments) {
         if (!scene) return report(scene.problems());
         for (const View view : *views) {
             const double aspect = static_cast<double>(options.width) / options.height;
-            sheet.add(drawScene(*scene, portrait(*scene, view, aspect), options, clock));
+            sheet.add(drawScene(*scene, portrait(*scene, view, aspect), options,
+                                lookNamed(arguments.look), clock));
         }
     }
     if (const Status written = writePng(sheet.image(), arguments.output); !written)

@@ -3,6 +3,7 @@
 
 #include <kushi/color.h>
 #include <kushi/ellipsoid.h>
+#include <kushi/fibre.h>
 #include <kushi/mesh.h>
 #include <kushi/strands.h>
 
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace kushi {
+
+class Shadows;
 
 /// A distant light.
 struct Light {
@@ -28,6 +31,9 @@ struct Lights {
 /// A salon in daylight: a soft key light from the front and above, a little to the person's right;
 /// a cool fill from the left; a rim from behind. In world axes, for a head that looks along +x.
 Lights studioLights();
+
+/// The same lights as photographers set them, farther apart in strength: for hair that casts shadows.
+Lights portraitLights();
 
 /// How hair answers light in the paper's shading (ambient + diffuse + Blinn's specular on a
 /// cylinder; Anjyo, Usami & Kurihara 1992).
@@ -61,11 +67,41 @@ struct HairLook {
 void shade(const Strands& strands, const Lights& lights, const HairLook& look, Vec3f eye,
            std::span<Rgb> colors, int threads = 0);
 
+/// Hair as fibres of tinted glass, in the light that other hair leaves them and passes on.
+struct FibreLook {
+    Rgb color = {0.11F, 0.057F, 0.034F};  ///< of a whole head of such hair; of strands without own
+    Fibre fibre = {.longitudinal = 0.17, .azimuthal = 0.3};
+    float tiltVariation = 0.026F;  ///< rad, by up to which the tilt of a strand's scales differs;
+                                   ///< makes the edges of highlights ragged
+    float density = 0.7F;          ///< share of neighbours in the half spaces before and behind a
+                                   ///< fibre that pass light on (Zinke et al. 2008, d_f and d_b)
+};
+
+/// One linear colour per node, seen from `eye` [m], by dual scattering (Zinke, Yuksel, Weber & Keyser
+/// 2008) with the fibres of kushi/fibre.h seen from afar: light that meets no other fibre first,
+/// light that comes through n others, n being Poisson distributed about the crossings that
+/// `shadows` knows, and what the hair close by sends back of both. Light from everywhere is taken
+/// as the mean over directions. Shadows make it dark beneath and between; what colour light has in
+/// the depth is that of the fibres it went through.
+///
+/// strands  where they have colours, these replace look.color
+/// shadows  of the same lights
+/// colors   as many as strands.nodes; overwritten
+/// threads  0: as many as the machine has; the same colours from any number
+void shade(const Strands& strands, const Lights& lights, const Shadows& shadows,
+           const FibreLook& look, Vec3f eye, std::span<Rgb> colors, int threads = 0);
+
 /// One linear colour per vertex of a matt mesh: albedo (ambient + sum of light max(0, N.L)).
 std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, Rgb albedo);
 
 /// The same with an albedo for each vertex.
 std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, std::span<const Rgb> albedo);
+
+/// The same in the shadow of the mesh itself and of the hair on it.
+///
+/// shadows  of the same lights
+std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, std::span<const Rgb> albedo,
+                           const Shadows& shadows);
 
 /// Beyond the paper: the albedo of each vertex of a head whose skin takes the colour of the hair
 /// that grows there, as skin between hairs looks from afar. Where roots stand as densely as is

@@ -18,9 +18,10 @@ namespace kushi {
 
 /// What hair and skin are made of, for the path tracer.
 struct TraceLook {
-    Fibre fibre = {};
-    Rgb color = HairLook{}.color;  ///< that a whole head of the hair shows, where strands have none
-    float diameter = 75e-6F;       ///< m, where strands have none
+    Fibre fibre = FibreLook{}.fibre;
+    Rgb color =
+        FibreLook{}.color;    ///< that a whole head of the hair shows, where strands have none
+    float diameter = 75e-6F;  ///< m, where strands have none
     /// Share of light that skin reflects at right angles without tinting it, in [0, 1]; more
     /// where it grazes (Schlick 1994). 0 makes it matt.
     float skinGloss = 0.028F;

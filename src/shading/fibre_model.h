@@ -135,6 +135,9 @@ public:
         return values;
     }
 
+    /// N_p alone, how a way p < 3 spreads around the fibre [1/rad].
+    T around(std::size_t p, T phi) const { return model_.strayAround(phi - turn(p)); }
+
     /// A direction with the density spread()[p]; u, v, w in [0, 1) (d'Eon et al. 2013, for M).
     FibreIncidence<T> sample(std::size_t p, T u, T v, T w) const {
         constexpr T pi = FibreModel<T>::pi;

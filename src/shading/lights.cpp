@@ -18,4 +18,11 @@ Lights studioLights() {
                         distantLight({-0.80F, 0.60F, 0.1F}, {0.34F, 0.34F, 0.36F})}};
 }
 
+Lights portraitLights() {
+    return {.ambient = {0.34F, 0.35F, 0.37F},
+            .distant = {distantLight({0.70F, 0.62F, 0.35F}, {1.20F, 1.15F, 1.08F}),
+                        distantLight({0.45F, 0.45F, -0.77F}, {0.40F, 0.42F, 0.45F}),
+                        distantLight({-0.75F, 0.62F, -0.2F}, {1.10F, 1.10F, 1.15F})}};
+}
+
 }  // namespace kushi

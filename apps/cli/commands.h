@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,13 @@ struct GroomFlags {
     std::optional<double> unit;  ///< cm
     bool pushOut = false;
     std::string solids;  ///< a style; empty: the mannequin
+};
+
+/// What only `--engine path` heeds.
+struct PathFlags {
+    std::optional<int> samples, bounces;
+    std::optional<float> noise;
+    std::optional<std::uint64_t> seed;
 };
 
 struct SettleArguments {
@@ -58,6 +66,8 @@ struct RenderArguments {
     std::string layers;  ///< as given, separated by commas
     bool alpha = false;
     StrokeFlags stroke;
+    std::string engine = "raster";
+    PathFlags path;
     SettleFlags flags;
 };
 

@@ -149,6 +149,26 @@ void addSettle(CLI::App& program, SettleArguments& arguments, int& status) {
     command->callback([&] { status = runSettle(arguments); });
 }
 
+void addEngineFlags(CLI::App& command, RenderArguments& arguments) {
+    command
+        .add_option("--engine", arguments.engine,
+                    "raster (at once) or path (light followed through every hair, in minutes)")
+        ->check(CLI::IsMember({"raster", "path"}))
+        ->capture_default_str();
+    command.add_option("--spp", arguments.path.samples, "Path: samples per pixel (64)")
+        ->check(CLI::Range(1, 65536));
+    command
+        .add_option("--bounces", arguments.path.bounces,
+                    "Path: how often light is scattered at most (64)")
+        ->check(CLI::Range(0, 10000));
+    command
+        .add_option("--noise", arguments.path.noise,
+                    "Path: leave parts whose noise is below this share of their brightness, such "
+                    "as 0.02")
+        ->check(between(0, 1));
+    command.add_option("--seed", arguments.path.seed, "Path: of chance (0)");
+}
+
 void addLook(CLI::App& command, std::string& look) {
     command
         .add_option("--look", look,
@@ -174,6 +194,7 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "person's left)")
         ->capture_default_str();
     addLook(*command, arguments.look);
+    addEngineFlags(*command, arguments);
     addSettleFlags(*command, arguments.flags);
     command->add_option("--report", arguments.reportPath,
                         "Write counts, times and the share of scalp that shows as JSON");
@@ -181,7 +202,8 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
         "Examples:\n"
         "  kushi render styles/fig10-bob.toml -o bob.png --view front\n"
         "  kushi render scan.hair -o scan.png --view 30,15 --size 1920x1080\n"
-        "  kushi render styles/fig10-bob.toml -o bob.exr --layers depth,tangent,id,mask");
+        "  kushi render styles/fig10-bob.toml -o bob.exr --layers depth,tangent,id,mask\n"
+        "  kushi render styles/fig10-bob.toml -o still.png --engine path --spp 256");
     command->callback([&] { status = runRender(arguments); });
 }
 

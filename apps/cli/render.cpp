@@ -13,12 +13,58 @@ namespace kushi {
 
 namespace {
 
+Status checkEngine(const RenderArguments& arguments) {
+    const PathFlags& path = arguments.path;
+    const bool traces = arguments.engine == "path";
+    if (!traces && (path.samples || path.bounces || path.noise || path.seed))
+        return Problem{"--spp, --bounces, --noise and --seed are for --engine path"};
+    if (traces && lookNamed(arguments.look) == Look::Paper)
+        return Problem{"--look paper is for --engine raster; --engine path has the natural look"};
+    return std::monostate{};
+}
+
+/// The picture by following light; with layers beside it, without background.
+Result<LayeredImage> traced(const Scene& scene, const Camera& camera, const DrawOptions& draw,
+                            const PathFlags& flags, const std::optional<Layers>& layers,
+                            StageClock& clock) {
+    TraceOptions options;
+    options.width = draw.width;
+    options.height = draw.height;
+    options.threads = draw.threads;
+    options.samplesPerPixel = flags.samples.value_or(options.samplesPerPixel);
+    options.bounces = flags.bounces.value_or(options.bounces);
+    options.noise = flags.noise.value_or(options.noise);
+    options.seed = flags.seed.value_or(options.seed);
+    Result<Traced> result = traceScene(scene, camera, options, layers.has_value(), clock);
+    if (!result) return result.problems();
+    std::printf("%.4g samples a pixel, noise %.2g %%\n", result->samples, 100 * result->noise);
+    LayeredImage image;
+    if (layers) {
+        const std::vector<Rgb> dark(scene.strands.nodes.size());
+        image = drawLayers(scene.strands, dark, scene.head, camera, draw, *layers);
+        clock.end("draw");
+    }
+    image.image = std::move(result->image);
+    image.alpha = std::move(result->alpha);
+    return image;
+}
+
 /// layers  beside a picture without background; or none, for a picture with one
-Status drawTo(const std::string& path, Scene& scene, const Camera& camera,
-              const DrawOptions& options, Look look, const std::optional<Layers>& layers,
-              StageClock& clock) {
-    if (!layers) return writePng(drawScene(scene, camera, options, look, clock), path);
-    LayeredImage image = drawSceneLayers(scene, camera, options, look, *layers, clock);
+Status renderTo(const RenderArguments& arguments, Scene& scene, const Camera& camera,
+                const DrawOptions& options, const std::optional<Layers>& layers,
+                StageClock& clock) {
+    const std::string& path = arguments.output;
+    const Look look = lookNamed(arguments.look);
+    LayeredImage image;
+    if (arguments.engine == "path") {
+        Result<LayeredImage> result = traced(scene, camera, options, arguments.path, layers, clock);
+        if (!result) return result.problems();
+        image = std::move(*result);
+        if (!layers) return writePng(rolledOff(std::move(image.image)), path);
+    } else {
+        if (!layers) return writePng(drawScene(scene, camera, options, look, clock), path);
+        image = drawSceneLayers(scene, camera, options, look, *layers, clock);
+    }
     if (hasEnding(path, {".exr"}, "").ok()) return writeExr(image, path);
     if (look == Look::Natural) image.image = rolledOff(std::move(image.image));
     return writePng(image, path);
@@ -31,6 +77,7 @@ int runRender(const RenderArguments& arguments) {
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
     if (!view) return report(view.problems());
+    if (const Status flags = checkEngine(arguments); !flags) return report(flags.problems());
     if (const Status ending = hasEnding(arguments.output, {".png", ".exr"}, "the picture");
         !ending) {
         return report(ending.problems());
@@ -56,8 +103,7 @@ int runRender(const RenderArguments& arguments) {
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
     const std::optional<Layers> wanted =
         exr || arguments.alpha ? std::optional(*layers) : std::nullopt;
-    if (const Status written =
-            drawTo(arguments.output, *scene, camera, options, look, wanted, clock);
+    if (const Status written = renderTo(arguments, *scene, camera, options, wanted, clock);
         !written) {
         return report(written.problems());
     }

@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include "input.h"
+#include "progress.h"
 
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
@@ -201,6 +202,18 @@ DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, Look
                                                   : Stroke::Sampled;
     options.widen = static_cast<float>(flags.widen);
     return options;
+}
+
+Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceOptions& options,
+                          bool withoutBackdrop, StageClock& clock) {
+    ProgressBar bar("tracing");
+    TraceOptions shown = options;
+    shown.background = withoutBackdrop ? Rgb() : backdrop;
+    shown.progress = [&](double share) { bar.show(share); };
+    Result<Traced> traced =
+        trace(scene.strands, scene.head, scene.skin, portraitLights(), camera, TraceLook{}, shown);
+    clock.end("trace");
+    return traced;
 }
 
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag) {

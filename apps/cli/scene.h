@@ -7,6 +7,7 @@
 #include <kushi/camera.h>
 #include <kushi/draw.h>
 #include <kushi/settle.h>
+#include <kushi/trace.h>
 
 #include <optional>
 #include <string>
@@ -57,6 +58,11 @@ Result<Layers> parseLayers(const std::string& text);
 
 /// For a picture of width x height pixels; strokes that the flags leave open are the look's.
 DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, Look look, int threads);
+
+/// The natural look by light that is followed through every hair, before it is made fit for a
+/// screen, with a progress bar; `options` but for the background. Stage `trace`.
+Result<Traced> traceScene(const Scene& scene, const Camera& camera, const TraceOptions& options,
+                          bool withoutBackdrop, StageClock& clock);
 
 /// "1024x1024" as width and height in pixels, each 1 to 16384. `flag` stands in the problem.
 Result<std::pair<int, int>> parseSize(const std::string& text, const char* flag);

@@ -30,4 +30,5 @@
 #include <kushi/strands.h>
 #include <kushi/style.h>
 #include <kushi/subdivide.h>
+#include <kushi/trace.h>
 #include <kushi/vec.h>

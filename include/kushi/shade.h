@@ -19,6 +19,8 @@ class Shadows;
 struct Light {
     Vec3f direction;  ///< unit, from the scene towards the light
     Rgb color;        ///< linear intensity: a white matt surface square to it gets this colour
+    float halfAngle = 0.07F;  ///< rad, in (0, pi/2]: the radius of the disc that it is in the sky,
+                              ///< for the path tracer's soft shadows; shade() takes it for a point
 };
 
 struct Lights {

@@ -59,4 +59,8 @@ StoredPoint Projection::store(Vec3f world) const {
             .q = static_cast<float>(point.q)};
 }
 
+Vec3d Projection::through(double x, double y) const {
+    return forward_ + ((x - centerX_) * right_ + (y - centerY_) * down_) / focal_;
+}
+
 }  // namespace kushi

@@ -46,6 +46,9 @@ public:
     StoredPoint store(Vec3f world) const;
     /// Samples that a metre takes up at a distance of a metre.
     double focalLength() const { return focal_; }
+    /// From the eye through a point of the grid; view.z is 1.
+    Vec3d through(double x, double y) const;
+    Vec3d eye() const { return eye_; }
 
     /// Depth from 0 at the near plane to fullDepth at infinity, for integer arithmetic. Linear over
     /// the picture; at the target one unit of the 30 bits that count is about a millionth of its

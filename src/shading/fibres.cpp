@@ -93,7 +93,8 @@ private:
         Lanes crossings{};
         std::array<Lanes, 3> light{};
         for (std::size_t i = first; i < std::min(first + 4, passages.size()); ++i) {
-            const auto& [direction, color] = lights_.distant[i];
+            const Vec3f direction = lights_.distant[i].direction;
+            const Rgb color = lights_.distant[i].color;
             const std::size_t lane = i - first;
             sinIn[lane] = std::clamp(dot(tangent, direction), -1.0F, 1.0F);
             facing[lane] = dot(toEye, direction);

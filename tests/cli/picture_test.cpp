@@ -72,6 +72,27 @@ TEST(RenderCommand, ReportsTheScalpThatShows) {
     EXPECT_TRUE(showing("").is_null());
 }
 
+TEST(RenderCommand, TracesPaths) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const auto bytes = [&](const std::string& flags) {
+        const Outcome run = runKushi("render " + folder + "/a.toml -o " + folder +
+                                     "/a.png --size 40x30 --engine path " + flags);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find("samples a pixel, noise "), std::string::npos) << run.out;
+        EXPECT_NE(run.out.find("trace"), std::string::npos) << run.out;
+        EXPECT_EQ(run.err, "");
+        return readBytes(folder + "/a.png");
+    };
+    const std::string one = bytes("--spp 4 --threads 1");
+    EXPECT_EQ(pngSize(one), (std::pair<std::uint32_t, std::uint32_t>(40, 30)));
+    EXPECT_TRUE(one == bytes("--spp 4 --threads 3"));
+    EXPECT_FALSE(one == bytes("--spp 4 --seed 1"));
+    EXPECT_FALSE(one == bytes("--spp 5"));
+    EXPECT_FALSE(one == bytes("--spp 4 --bounces 1"));
+    EXPECT_FALSE(bytes("--spp 512 --noise 0.5") == bytes("--spp 512"));
+}
+
 TEST(RenderCommand, DrawsGroomsMadeElsewhere) {
     const std::string folder = freshFolder();
     writeText(folder + "/a.obj", "v 0 0 0\nv 1 1 0\nv 1 2 3\nl 1 2 3\n");

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> layers = {"core", "geometry", "head",    "groom",
-                                         "io",   "style",    "scalp",   "contact",
-                                         "rod",  "pipeline", "shading", "render"};
+const std::vector<std::string> layers = {"core",    "geometry", "head",    "groom", "io",
+                                         "style",   "scalp",    "contact", "rod",   "pipeline",
+                                         "shading", "render",   "trace"};
 
 // Which layer implements each public header; kushi.h includes all of them.
 const std::map<std::string, std::string> headerLayers = {
@@ -34,7 +34,7 @@ const std::map<std::string, std::string> headerLayers = {
     {"fibre.h", "shading"},    {"shade.h", "shading"},
     {"shadows.h", "shading"},  {"subdivide.h", "groom"},
     {"layered_image.h", "io"}, {"camera.h", "render"},
-    {"draw.h", "render"}, {"trace.h", "render"}};
+    {"draw.h", "render"},      {"trace.h", "trace"}};
 
 // Images are plain values that io writes and render fills.
 bool isPlainValue(const std::string& header) {

@@ -2,6 +2,7 @@
 #include "trace/ray_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <new>
 #include <utility>

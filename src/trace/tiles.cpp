@@ -82,7 +82,8 @@ private:
     void forEachPixel(Visit&& visit) {
         for (int y = 0; y < height_; ++y) {
             for (int x = 0; x < width_; ++x)
-                visit(left_ + x, top_ + y, pixels_[static_cast<std::size_t>(y * side + x)]);
+                visit(left_ + x, top_ + y,
+                      pixels_[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)]);
         }
     }
 

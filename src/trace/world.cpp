@@ -8,8 +8,9 @@ namespace kushi {
 namespace {
 
 std::vector<float> diametersOf(const Strands& strands, float usual) {
-    if (!strands.diameters.empty()) return strands.diameters;
-    return std::vector<float>(strands.nodes.size(), usual);
+    std::vector<float> diameters = strands.diameters;
+    if (diameters.empty()) diameters.assign(strands.nodes.size(), usual);
+    return diameters;
 }
 
 /// The unit vector along `a`, or `other` if it has no length.

@@ -73,7 +73,7 @@ struct SettleReport {
     std::optional<double> maxResidual;
     std::size_t unsettled = 0;
     std::optional<SetReport> set;  ///< where there are grooms
-    std::size_t clumps = 0;        ///< that strands have been drawn together to
+    std::size_t clumps = 0;        ///< that strands lie in
     std::size_t flyaways = 0;      ///< strands that have been bent off
 };
 

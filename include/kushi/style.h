@@ -112,6 +112,19 @@ struct Flyaway {
     double distance = 0.01;  ///< m by which their tips do, about, > 0
 };
 
+/// Another colour at an end of the hair.
+struct EndColor {
+    Rgb color;          ///< linear
+    double length = 0;  ///< m from the end, up to which there is any of it, > 0
+    double blend = 0;   ///< m of these over which it fades into the hair's, in [0, length]
+};
+
+/// White strands among the others.
+struct Grey {
+    double share = 0;                   ///< of the strands, in [0, 1]
+    Rgb color = {0.60F, 0.59F, 0.57F};  ///< linear
+};
+
 /// A fixed direction, or one that turns with the place.
 struct ForceDirection {
     bool radial = false;  ///< horizontally away from the world's y axis; `vector` is not used
@@ -147,13 +160,16 @@ struct Hair {
     std::optional<Curl> curl;  ///< at most one of curl and wave
     std::optional<Wave> wave;
     Growth growth = Growth::Normal;
-    double lift = std::numbers::pi / 2;   ///< from the surface to the direction of growth, within
-                                          ///< [0, pi/2] [rad]
-    Lean lean;                            ///< of hair that is lifted less
-    Rgb color = {0.11F, 0.057F, 0.034F};  ///< of the hair itself; dark brown
+    double lift = std::numbers::pi / 2;  ///< from the surface to the direction of growth, within
+                                         ///< [0, pi/2] [rad]
+    Lean lean;                           ///< of hair that is lifted less
+    Rgb color = {0.06F, 0.032F, 0.02F};  ///< of the hair itself; dark brown
     double set =
         1;  ///< of a groom: share of the shape in its file that stays, in [0, 1]; 0: straight
     double variation = 0.12;  ///< each strand's lightness varies by up to +- this share, in [0, 1]
+    Grey grey;
+    std::optional<EndColor> regrowth;  ///< at the roots
+    std::optional<EndColor> tips;
     Clump clump;
     Flyaway flyaway;
 
@@ -216,6 +232,17 @@ struct Cut {
     Falloff falloff;
 };
 
+/// Strands coloured otherwise, each by itself or in foils.
+struct Highlight {
+    RootRanges roots = RootRanges(1);
+    double share = 0.2;  ///< of the strands, in [0, 1]
+    Rgb color;           ///< linear
+    double foil = 0;     ///< m; strands that grow within about so much go together; 0: none do
+    double from = 0;     ///< m from the root at which it begins, >= 0
+    double to = std::numeric_limits<double>::infinity();  ///< m from the root at which it ends
+    double blend = 0.01;  ///< m over which it comes and goes, unless it begins at the root, >= 0
+};
+
 /// A separately defined body of hair.
 struct Part {
     std::string name;  ///< unique in the style, not empty
@@ -226,7 +253,8 @@ struct Part {
     Hair hair;
     std::vector<Force> forces;
     std::vector<Cut> cuts;
-    std::vector<HairTie> ties;  ///< a strand's is the first that its root meets
+    std::vector<Highlight> highlights;  ///< later ones over those before
+    std::vector<HairTie> ties;          ///< a strand's is the first that its root meets
 };
 
 enum class Method { Cantilever, Equilibrium };

@@ -3,14 +3,17 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "pipeline/aside.h"
 #include "pipeline/flyaway.h"
 #include "pipeline/penetration.h"
 #include "pipeline/push_all_out.h"
 #include "pipeline/retrace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace kushi {
 
@@ -18,7 +21,12 @@ namespace {
 
 constexpr std::size_t together = 64;  // strands of one thread
 constexpr std::uint64_t amountSalt = 0x616d6f756e74;
+constexpr std::uint64_t straySalt = 0x7374726179;
 constexpr double mostDrawn = 0.95;
+// Whole clumps stray by so much of what their tips would be drawn by at the distance of a size, in
+// waves from the shortest to twice as long [m].
+constexpr double straying = 0.5;
+constexpr double shortestWave = 0.06;
 constexpr double diametersApart = 2;
 // Sizes by which a strand parts from its guide: up to the first it is drawn as it should be, beyond
 // the second not at all.
@@ -70,11 +78,37 @@ double partingOf(const Path& a, const Path& b) {
     return most;
 }
 
+// The waves in which a whole clump strays.
+class Stray {
+public:
+    explicit Stray(std::uint64_t clumpKey) {
+        for (std::size_t i = 0; i < waves_.size(); ++i) {
+            const std::uint64_t key = mixKey(clumpKey, straySalt + i);
+            waves_[i] = {2 * std::numbers::pi * uniform(mixKey(key, 1)),
+                         2 * std::numbers::pi / (shortestWave * (1 + uniform(mixKey(key, 2))))};
+        }
+    }
+
+    // So far along, by 1 at most outwards and to each side; never inwards.
+    Vec3d at(double way, const Aside& aside) const {
+        const auto sine = [&](std::size_t i) {
+            return std::sin(waves_[i].phase + waves_[i].number * way);
+        };
+        return (0.5 + 0.5 * sine(0)) * aside.outward + sine(1) * aside.sideways;
+    }
+
+private:
+    struct Wave {
+        double phase = 0, number = 0;  // rad, rad/m
+    };
+    std::array<Wave, 2> waves_;
+};
+
 class Clumping {
 public:
-    Clumping(const Hair& hair, const ClumpCentres& centres, const StrandsAtRest& atRest,
-             int threads)
-        : hair_(hair), centres_(centres), guides_(centres.size(), none) {
+    Clumping(const Hair& hair, const ClumpCentres& centres, Vec3d middle,
+             const StrandsAtRest& atRest, int threads)
+        : hair_(hair), centres_(centres), middle_(middle), guides_(centres.size(), none) {
         findGuides(atRest, threads);
         for (const std::uint32_t guide : guides_)
             paths_.emplace_back(guide == none ? std::span<const Vec3f>(&nowhere, 1)
@@ -95,38 +129,46 @@ public:
         return best;
     }
 
-    bool isGuide(std::uint32_t strand, std::uint32_t clump) const {
-        return guides_[clump] == strand;
-    }
-
     // Where a strand's nodes go.
     std::vector<Vec3d> drawn(const Path& path, std::uint64_t key, std::uint32_t clump,
                              double ease) const {
         const Path& guide = paths_[clump];
-        const double amount = ease * amountOf(key, clump) *
-                              (1 - smoothStep(parting * hair_.clump.size, parted * hair_.clump.size,
-                                              partingOf(path, guide)));
+        const double size = hair_.clump.size;
+        const double near =
+            ease * (1 - smoothStep(parting * size, parted * size, partingOf(path, guide)));
+        const double amount = near * amountOf(key, clump);
+        const double far = near * straying * amountOf(clump) * size;
+        const Stray stray(centres_.key(clump));
         std::vector<Vec3d> wanted = path.nodes();
         for (std::size_t j = 1; j < wanted.size(); ++j) {
+            const double share = path.way(j) / path.whole();
+            const double from = hair_.clump.from;
             // Beyond the guide's tip as it was there.
             const double way = std::min(path.way(j), guide.whole());
             const Vec3d across = guide.at(way) - path.at(way);
-            const double away = length(across);
-            if (!(away > 0)) continue;
-            const double room = 1 - std::min(1.0, diametersApart * hair_.diameter / away);
-            const double share = smoothStep(hair_.clump.from, 1, path.way(j) / path.whole());
-            wanted[j] += std::min(amount * share, room) * across;
+            wanted[j] += std::min(amount * smoothStep(from, 1, share), room(across)) * across;
+            const Vec3d tangent = guide.at(way + nearby) - guide.at(way - nearby);
+            wanted[j] += far * smoothStep(from, (1 + from) / 2, share) *
+                         stray.at(way, asideOf(guide.at(way), tangent, middle_));
         }
         return wanted;
     }
 
 private:
-    double amountOf(std::uint64_t key, std::uint32_t clump) const {
+    double amountOf(std::uint32_t clump) const {
         const Clump& wanted = hair_.clump;
         const double ofClump = uniformSigned(mixKey(centres_.key(clump), amountSalt));
+        return wanted.amount * (1 + wanted.variation * ofClump);
+    }
+    double amountOf(std::uint64_t key, std::uint32_t clump) const {
         const double ofStrand = uniformSigned(mixKey(key, amountSalt));
-        return std::min(mostDrawn, wanted.amount * (1 + wanted.variation * ofClump) *
-                                       (1 + 0.5 * wanted.variation * ofStrand));
+        return std::min(mostDrawn, amountOf(clump) * (1 + 0.5 * hair_.clump.variation * ofStrand));
+    }
+
+    // The share of the way to the guide up to where two hairs have room.
+    double room(Vec3d across) const {
+        const double away = length(across);
+        return away > 0 ? 1 - std::min(1.0, diametersApart * hair_.diameter / away) : 0;
     }
 
     void findGuides(const StrandsAtRest& atRest, int threads) {
@@ -156,9 +198,11 @@ private:
     }
 
     static constexpr Vec3f nowhere = {};
+    static constexpr double nearby = 0.005;  // m along a guide
 
     const Hair& hair_;
     const ClumpCentres& centres_;
+    Vec3d middle_;
     std::vector<std::uint32_t> guides_;  // strands, by clump
     std::vector<Path> paths_;            // of the guides
 };
@@ -189,7 +233,7 @@ public:
           middle_(middle),
           obstacles_(obstacles),
           atRest_(atRest),
-          clumping_(hair, centres, atRest, threads) {}
+          clumping_(hair, centres, middle, atRest, threads) {}
 
     // What became of a strand; nothing where there is no room.
     Wish dress(std::uint32_t i) const {
@@ -217,9 +261,7 @@ private:
     Wish wishOf(std::uint32_t i, const Path& path) const {
         if (!(path.whole() > 0)) return {};
         if (isFlyaway(hair_.flyaway, atRest_.keys[i])) return {true, none};
-        const std::uint32_t clump = clumping_.clumpOf(path);
-        if (clump == none || clumping_.isGuide(i, clump)) return {};
-        return {false, clump};
+        return {false, clumping_.clumpOf(path)};
     }
 
     const Hair& hair_;

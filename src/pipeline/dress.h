@@ -20,7 +20,7 @@ struct StrandsAtRest {
 };
 
 struct DressReport {
-    std::size_t clumps = 0;    ///< that strands were drawn together to
+    std::size_t clumps = 0;    ///< that strands lie in
     std::size_t flyaways = 0;  ///< strands that were bent away
 };
 
@@ -33,10 +33,12 @@ inline bool isDressed(const Hair& hair) {
 /// rest does not know, of oil, static and touch. Roots stay where they are and segments as long as
 /// they are, but for flyaways, which become shorter; the same nodes from any number of threads.
 ///
-/// A clump's guide is the strand that grows nearest to its centre; guides stay. A strand belongs to
-/// that guide, of those about its root, that it stays nearest to on its way, and at a share t of
-/// its length goes by amount x S(t) of the way to it, where S is a smooth step from `from` to 1.
-/// It stays two diameters off, and those that part from all guides by some sizes stay away.
+/// A clump's guide is the strand that grows nearest to its centre. A strand belongs to that guide,
+/// of those about its root, that it stays nearest to on its way, and at a share t of its length
+/// goes by amount x S(t) of the way to it, where S is a smooth step from `from` to 1. It stays two
+/// diameters off, and those that part from all guides by some sizes stay away. Whole clumps, with
+/// their guides, stray in waves of 6 to 12 cm by amount x size / 2 at most, outwards and to both
+/// sides.
 ///
 /// obstacles  that strands stay out of; one that cannot, is dressed less, and in the end not at all
 /// middle     of the head [m]

@@ -2,6 +2,7 @@
 #include "pipeline/flyaway.h"
 
 #include "core/random.h"
+#include "pipeline/aside.h"
 #include "pipeline/retrace.h"
 
 #include <kushi/strands.h>
@@ -31,13 +32,6 @@ double swing(std::uint64_t key, std::uint64_t salt, double t) {
     return t * std::sin(phase + 2 * std::numbers::pi * turns * t);
 }
 
-Vec3d outwardOf(Vec3d place, Vec3d middle) {
-    middle.y = std::min(middle.y, place.y);
-    const Vec3d away = place - middle;
-    const double size = length(away);
-    return size > 0 ? away / size : Vec3d{0, 1, 0};
-}
-
 }  // namespace
 
 bool isFlyaway(const Flyaway& flyaway, std::uint64_t key) {
@@ -58,10 +52,7 @@ void flyAway(const Flyaway& flyaway, std::uint64_t key, Vec3d middle, std::span<
         const double t = walked / whole;
         const Vec3d tangent =
             (nodes[std::min(j + 1, nodes.size() - 1)] - nodes[j > 0 ? j - 1 : 0]).as<double>();
-        const Vec3d outward = outwardOf(place, middle);
-        const Vec3d side = cross(tangent, outward);
-        const double size = length(side);
-        const Vec3d sideways = size > 0 ? side / size : Vec3d{};
+        const auto [outward, sideways] = asideOf(place, tangent, middle);
         const double out = t * (0.6 + 0.4 * swing(key, outwardSalt, t));
         const double aside = 0.5 * swing(key, sidewaysSalt, t);
         wanted.push_back(place + most * t * (out * outward + aside * sideways));

@@ -71,15 +71,18 @@ Strands subset(const Strands& groom, std::span<const std::uint32_t> which) {
     return some;
 }
 
-void complete(Strands& groom, const Hair& hair, std::uint64_t seed) {
+void complete(Strands& groom, const Part& part, std::uint64_t seed) {
     if (groom.keys.empty()) {
         for (std::size_t i = 0; i < groom.size(); ++i)
             groom.keys.push_back(mixKey(seed, i));
     }
-    if (groom.diameters.empty()) addDiameters(groom, hair);
+    if (groom.diameters.empty()) addDiameters(groom, part.hair);
     if (!groom.colors.empty()) return;
-    for (std::size_t i = 0; i < groom.size(); ++i)
-        appendHairColors(hair, groom.keys[i], groom.strand(i), groom.colors);
+    for (std::size_t i = 0; i < groom.size(); ++i) {
+        const auto nodes = groom.strand(i);
+        const EllipsoidAngles angles = part.scalp.ellipsoid.angles(nodes[0].as<double>());
+        appendHairColors(part, groom.keys[i], angles, nodes, groom.colors);
+    }
 }
 
 }  // namespace kushi

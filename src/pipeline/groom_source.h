@@ -12,7 +12,7 @@ Problem atSource(const Problem& problem, const GroomSource& source);
 Strands subset(const Strands& groom, std::span<const std::uint32_t> which);
 
 /// Gives every strand what its file does not say: a key (of `seed` and its place in the file), the
-/// diameters of `hair`, and its colours.
-void complete(Strands& groom, const Hair& hair, std::uint64_t seed);
+/// diameters of the part's hair, and its colours.
+void complete(Strands& groom, const Part& part, std::uint64_t seed);
 
 }  // namespace kushi

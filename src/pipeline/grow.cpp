@@ -3,6 +3,7 @@
 
 #include "core/random.h"
 #include "pipeline/growth.h"
+#include "pipeline/patch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,32 +64,11 @@ SineWave sineWave(const Wave& wave) {
 }
 
 // Hair winds in locks: strands that grow from the same small patch of scalp wind together, but for
-// the hair's variation. Patches are those nearest to the points of a jittered grid, so that they do
-// not depend on how many hairs there are.
+// the hair's variation.
 constexpr double lockSize = 0.012;  // m
 
 std::uint64_t lockOf(Vec3d root) {
-    const Vec3d scaled = root / lockSize;
-    double nearest = 1e30;
-    std::uint64_t lock = 0;
-    const auto beside = [](double place, int step) { return std::floor(place) + step - 1; };
-    for (int i = 0; i < 27; ++i) {
-        const int layer = i / 9;
-        const int row = i / 3 % 3;
-        const Vec3d cell = {beside(scaled.x, i % 3), beside(scaled.y, row),
-                            beside(scaled.z, layer)};
-        std::uint64_t key = lockSalt;
-        for (const double number : {cell.x, cell.y, cell.z})
-            key = mixKey(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(number)));
-        const Vec3d point =
-            cell + Vec3d{uniform(mixKey(key, 1)), uniform(mixKey(key, 2)), uniform(mixKey(key, 3))};
-        const double distance = length(point - scaled);
-        if (distance < nearest) {
-            nearest = distance;
-            lock = key;
-        }
-    }
-    return lock;
+    return patchOf(root, lockSize, lockSalt);
 }
 
 // Random about a strand's natural shape: mostly its lock's, and a little its own.

@@ -62,7 +62,7 @@ Block blockOf(const Part& part, const Follicles& follicles, const SettledPart& s
         if (nodes.empty()) continue;
         const std::uint64_t key = follicles.keys[i];
         block.strands.add(nodes, key);
-        appendHairColors(part.hair, key, nodes, block.strands.colors);
+        appendHairColors(part, key, follicles.angles[i], nodes, block.strands.colors);
         appendDiameters(part.hair, nodes, block.strands.diameters);
         block.innerEnds.push_back(innerEnd(part, follicles.roots[i]));
         if (measured == nullptr) continue;

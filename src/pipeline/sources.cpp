@@ -57,7 +57,7 @@ Result<PartSource> sourceOf(const Part& part, const Contact& contact, std::uint6
     if (part.groom) {
         Result<Strands> groom = groomOf(part);
         if (!groom) return groom.problems();
-        complete(*groom, part.hair, seed);
+        complete(*groom, part, seed);
         PartSource source = {{}, std::move(*groom)};
         source.clumps = clumpsOf(part, rootsOf(*source.groom), source.groom->keys);
         return source;

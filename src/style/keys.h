@@ -26,7 +26,7 @@ namespace tables {
 inline constexpr TableKeys top = {
     "the style",
     {"kushi", "name", "seed", "gravity", "head", "collider", "contact", "solver", "part", "scalp",
-     "groom", "hair", "force", "cut", "tie"}};
+     "groom", "hair", "force", "cut", "tie", "highlight"}};
 inline constexpr TableKeys head = {
     "[head]",
     {"mesh", "unit", "up", "front", "origin", "offset", "landmarks", "collide", "gap", "friction"}};
@@ -38,8 +38,8 @@ inline constexpr TableKeys collider = {
 inline constexpr TableKeys contact = {"[contact]", {"layers", "packing"}};
 inline constexpr TableKeys solver = {"[solver]",
                                      {"method", "segments", "grading", "avoidance_steps"}};
-inline constexpr TableKeys part = {"[[part]]",
-                                   {"name", "scalp", "groom", "hair", "force", "cut", "tie"}};
+inline constexpr TableKeys part = {
+    "[[part]]", {"name", "scalp", "groom", "hair", "force", "cut", "tie", "highlight"}};
 inline constexpr TableKeys scalp = {
     "[part.scalp]",
     {"ellipsoid", "spacing", "count", "jitter", "regions", "surface", "groups", "mask"}};
@@ -67,12 +67,21 @@ inline constexpr TableKeys hair = {"[part.hair]",
                                     "towards",
                                     "whorl",
                                     "clump",
-                                    "flyaway"}};
+                                    "flyaway",
+                                    "grey",
+                                    "regrowth",
+                                    "tips"}};
 inline constexpr TableKeys clump = {"clump", {"amount", "size", "variation", "from"}};
 inline constexpr TableKeys flyaway = {"flyaway", {"share", "distance"}};
 inline constexpr TableKeys whorl = {"whorl", {"theta", "phi", "turn"}};
 inline constexpr TableKeys curl = {"curl", {"radius", "pitch", "variation"}};
 inline constexpr TableKeys wave = {"wave", {"amplitude", "length", "variation"}};
+inline constexpr TableKeys color = {"color", {"melanin", "redness"}};
+inline constexpr TableKeys grey = {"grey", {"share", "color"}};
+inline constexpr TableKeys regrowth = {"regrowth", {"color", "length", "blend"}};
+inline constexpr TableKeys tips = {"tips", {"color", "length", "blend"}};
+inline constexpr TableKeys highlight = {"[[part.highlight]]",
+                                        {"roots", "color", "share", "foil", "from", "to", "blend"}};
 inline constexpr TableKeys force = {"[[part.force]]",
                                     {"roots", "within", "direction", "magnitude", "falloff"}};
 inline constexpr TableKeys cut = {"[[part.cut]]", {"roots", "below", "keep", "mode", "falloff"}};
@@ -83,9 +92,10 @@ inline constexpr TableKeys falloff = {"falloff", {"degrees", "cm"}};
 
 /// Every kind of table, for "it belongs in ..." and for the test of the manual.
 inline constexpr const TableKeys* all[] = {
-    &top,   &head, &landmarks, &solver,  &part,  &scalp, &ellipsoid, &regions,
-    &hair,  &curl, &wave,      &force,   &cut,   &roots, &within,    &falloff,
-    &groom, &tie,  &collider,  &contact, &whorl, &clump, &flyaway};
+    &top,     &head,    &landmarks, &solver, &part,     &scalp,   &ellipsoid,
+    &regions, &hair,    &curl,      &wave,   &force,    &cut,     &roots,
+    &within,  &falloff, &groom,     &tie,    &collider, &contact, &whorl,
+    &clump,   &flyaway, &color,     &grey,   &regrowth, &tips,    &highlight};
 
 }  // namespace tables
 

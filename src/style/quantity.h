@@ -89,6 +89,14 @@ inline constexpr Quantity clumpFrom = {0, 0.9, "", [](double v) { return v; }, {
 inline constexpr Quantity flyawayShare = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
 inline constexpr Quantity flyawayDistance = {0.05, 20, "cm", fromCentimetres, {{"mm", 0.1}}};
 
+inline constexpr Quantity melanin = {0, 20, ""};
+inline constexpr Quantity redness = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity colorShare = {0, 1, "", [](double v) { return v; }, {{"%", 0.01}}};
+/// Along a strand.
+inline constexpr Quantity coloredLength = {0.1, 300, "cm", fromCentimetres, {{"mm", 0.1}}};
+inline constexpr Quantity colorPlace = {0, 300, "cm", fromCentimetres, {{"mm", 0.1}}};
+inline constexpr Quantity foil = {0, 20, "cm", fromCentimetres, {{"mm", 0.1}}};
+
 /// From the surface of the scalp.
 inline constexpr Quantity lift = {0, 90, "degrees", radians};
 /// Of hair about a whorl.

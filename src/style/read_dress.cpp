@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "style/read_number.h"
+#include "style/number_or_table.h"
 #include "style/read_parts.h"
 
 namespace kushi {
-
-namespace {
-
-// The number that matters most, alone; or a table of it and others.
-template <class ReadTable>
-void readNumberOrTable(const TableReader& table, std::string_view key, const Quantity& quantity,
-                       const std::string& example, double& number, ReadTable readTable) {
-    const Node* node = table.find(key);
-    if (node == nullptr) return;
-    Diagnostics& problems = table.context().problems;
-    if (node->kind == Kind::Table) {
-        readTable(*node);
-    } else if (node->isNumber() || node->kind == Kind::String) {
-        number = readNumber(*node, key, quantity, problems).value_or(number);
-    } else {
-        problems.unexpected(key, *node, expectedNumber(quantity) + " or a table, as in " + example);
-    }
-}
-
-}  // namespace
 
 void readDress(const TableReader& table, Hair& hair) {
     const auto readClump = [&](const Node& node) {

@@ -9,37 +9,6 @@ namespace kushi {
 
 namespace {
 
-// Linear light; docs/style-file.md lists about what they are in sRGB.
-void readNamedColor(const TableReader& table, Rgb& color) {
-    table.choice<Rgb>("color",
-                      {{"black", {0.018F, 0.014F, 0.012F}},
-                       {"dark brown", {0.11F, 0.057F, 0.034F}},
-                       {"brown", {0.18F, 0.095F, 0.052F}},
-                       {"light brown", {0.29F, 0.17F, 0.095F}},
-                       {"red", {0.32F, 0.09F, 0.03F}},
-                       {"blond", {0.54F, 0.37F, 0.19F}},
-                       {"grey", {0.34F, 0.33F, 0.32F}},
-                       {"white", {0.78F, 0.77F, 0.74F}}},
-                      color);
-}
-
-void readColor(const TableReader& table, Rgb& color) {
-    const Node* node = table.find("color");
-    if (node == nullptr) return;
-    Diagnostics& problems = table.context().problems;
-    if (node->kind == Kind::String) {
-        readNamedColor(table, color);
-    } else if (node->kind == Kind::Array) {
-        const auto rgb = readVector(*node, "color", quantities::color, problems);
-        if (!rgb) return;
-        const Vec3f linear = rgb->as<float>();
-        color = {linear.x, linear.y, linear.z};
-    } else {
-        problems.unexpected("color", *node,
-                            "a name as in \"brown\" or sRGB components as in [0.5, 0.35, 0.25]");
-    }
-}
-
 // A natural shape: two sizes, both needed, and how much they vary.
 template <class Shape>
 void readShape(const TableReader& table, std::string_view key, const TableKeys& keys,
@@ -109,8 +78,7 @@ Hair readHair(const Node& node, bool grows, ReadContext& context) {
     table.choice<Growth>("growth", {{"normal", Growth::Normal}, {"radial", Growth::Radial}},
                          hair.growth);
     readLean(table, hair);
-    readColor(table, hair.color);
-    table.number("variation", quantities::variation, hair.variation);
+    readColors(table, hair);
     table.number("set", quantities::set, hair.set);
     readDress(table, hair);
     return hair;

@@ -25,6 +25,11 @@ GroomSource readGroomSource(const Entry& entry, ReadContext& context);
 Hair readHair(const Node& node, bool grows, ReadContext& context);
 /// `lift`, `towards` and `whorl` of a hair's table.
 void readLean(const TableReader& table, Hair& hair);
+/// `color` of a hair's, a highlight's or another table.
+void readColor(const TableReader& table, Rgb& color);
+/// Whatever colours a hair's table has.
+void readColors(const TableReader& table, Hair& hair);
+Highlight readHighlight(const Node& node, ReadContext& context);
 /// `clump` and `flyaway`, each a number or a table.
 void readDress(const TableReader& table, Hair& hair);
 Force readForce(const Node& node, ReadContext& context);
@@ -39,8 +44,8 @@ RootRanges readRootRanges(const Node& node, const TableKeys& kind, ReadContext& 
 Box readBox(const Node& node, ReadContext& context);
 
 /// What a part has, which may stand at the top where there is only one.
-inline constexpr std::array<std::string_view, 6> keysOfPart = {"scalp", "groom", "hair",
-                                                               "force", "cut",   "tie"};
+inline constexpr std::array<std::string_view, 7> keysOfPart = {
+    "scalp", "groom", "hair", "force", "cut", "tie", "highlight"};
 
 /// Whether the document keeps its only part's tables at the top: [hair] instead of [part.hair].
 bool keepsPartAtTop(const Node& root);

@@ -111,6 +111,9 @@ Part readTables(const TableReader& table) {
     for (const Node* cut : table.tables("cut", tables::cut)) {
         part.cuts.push_back(readCut(*cut, context));
     }
+    for (const Node* highlight : table.tables("highlight", tables::highlight)) {
+        part.highlights.push_back(readHighlight(*highlight, context));
+    }
     readTies(table, part);
     return part;
 }

@@ -140,6 +140,7 @@ TEST(DressedHair, StaysInItsTie) {
     Style style = dressedHead(600, Method::Equilibrium);
     style.parts[0].hair.length = 0.35;
     style.parts[0].hair.flyaway.share = 0;
+    style.parts[0].hair.clump.size = 0.008;
     style.solver.segments = 40;
     HairTie tie;
     tie.at = {-0.115, 0.07, 0};

@@ -214,7 +214,7 @@ const Malformed types[] = {
     {inCut("keep = @5"), {"keep: found 5, expected pairs"}},
     {inForce("roots = { where = @[\"left\", \"right\"] }"),
      {"where: found an array of 2, expected \"scalp\", \"crown\""}},
-    {inHair("color = @5"), {"color: found 5, expected a name as in \"brown\" or sRGB components"}},
+    {inHair("color = @5"), {"color: found 5, expected a name as in \"brown\", sRGB components"}},
     {inHair("color = @[0.5, 0.5]"), {"color: found an array of 2, expected an array of 3"}},
     {inHair("color = [@\"red\", 0, 0]"), {"color: found the string \"red\", expected a number"}},
     {inHair("variation = @\"some\""), {"variation: found the string \"some\""}},
@@ -486,6 +486,35 @@ const Malformed ties[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Ties, MalformedStyle, testing::ValuesIn(ties));
 INSTANTIATE_TEST_SUITE_P(Grooms, MalformedStyle, testing::ValuesIn(grooms));
+
+const Malformed colors[] = {
+    {inHair("color = @5"), {"color: found 5, expected a name as in \"brown\", sRGB components"}},
+    {inHair("color = @{ redness = 1 }"),
+     {"color has no 'melanin', expected a number from 0 to 20"}},
+    {inHair("color = { melanin = @-1 }"), {"melanin: found -1, expected a number from 0 to 20"}},
+    {inHair("color = { melanin = 1, redness = @2 }"), {"redness: found 2, expected"}},
+    {inHair("color = { @melanine = 1 }"), {"in color; did you mean 'melanin'?"}},
+    {inHair("grey = @2"), {"grey: found 2, expected a number from 0 to 1"}},
+    {inHair("grey = @true"), {"or a table, as in { share = 0.3, color = \"white\" }"}},
+    {inHair("grey = @{ color = \"white\" }"), {"grey has no 'share'"}},
+    {inHair("grey = { share = 1, color = @\"wite\" }"), {"did you mean \"white\"?"}},
+    {inHair("@gray = 0.2"), {"did you mean 'grey'?"}},
+    {inHair("tips = @\"blond\""), {"tips: found the string \"blond\", expected a table"}},
+    {inHair("tips = @{ color = \"blond\" }"), {"tips has no 'length', expected a number of cm"}},
+    {inHair("regrowth = @{ length = 3 }"), {"regrowth has no 'color', expected a colour"}},
+    {inHair("regrowth = { color = \"grey\", length = 3, blend = @4 }"),
+     {"blend: found 4, expected no more than the 'length'"}},
+    {inHair("@regrow = 1"), {"did you mean 'regrowth'?"}},
+    {inHair("@root_color = \"grey\""), {"unknown key 'root_color' in [hair]"}},
+    {inHair("@[[highlight]]\nshare = 0.2"), {"[[highlight]] has no 'color', expected a colour"}},
+    {inHair("[[highlight]]\ncolor = @\"blonde\""), {"did you mean \"blond\"?"}},
+    {inHair("[[highlight]]\ncolor = \"blond\"\nfrom = 5\nto = @5"),
+     {"to: found 5, expected more than 'from'"}},
+    {inHair("[[highlight]]\ncolor = \"blond\"\n@foils = 1"), {"did you mean 'foil'?"}},
+    {inHair("[[@highlights]]\ncolor = \"blond\""), {"did you mean 'highlight'?"}},
+    {atTop("highlight = [@1]"), {"highlight: found"}},
+};
+INSTANTIATE_TEST_SUITE_P(Colors, MalformedStyle, testing::ValuesIn(colors));
 
 const Malformed dress[] = {
     {inHair("clump = @1"), {"clump: found 1, expected a number from 0 to 0.9"}},

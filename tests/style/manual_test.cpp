@@ -114,6 +114,19 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::wave, "length", quantities::curlSize},
         {tables::wave, "variation", quantities::lengthVariation},
         {tables::hair, "set", quantities::set},
+        {tables::color, "melanin", quantities::melanin},
+        {tables::color, "redness", quantities::redness},
+        {tables::hair, "grey", quantities::colorShare},
+        {tables::grey, "share", quantities::colorShare},
+        {tables::regrowth, "length", quantities::coloredLength},
+        {tables::regrowth, "blend", quantities::colorPlace},
+        {tables::tips, "length", quantities::coloredLength},
+        {tables::tips, "blend", quantities::colorPlace},
+        {tables::highlight, "share", quantities::colorShare},
+        {tables::highlight, "foil", quantities::foil},
+        {tables::highlight, "from", quantities::colorPlace},
+        {tables::highlight, "to", quantities::coloredLength},
+        {tables::highlight, "blend", quantities::colorPlace},
         {tables::hair, "clump", quantities::clump},
         {tables::clump, "amount", quantities::clump},
         {tables::clump, "size", quantities::clumpSize},
@@ -164,7 +177,7 @@ TEST(Manual, HasExamplesThatAreStyles) {
         EXPECT_TRUE(style) << toString(style.problems()[0]);
         ++examples;
     }
-    EXPECT_EQ(examples, 9);
+    EXPECT_EQ(examples, 10);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "style/keys.h"
 
 #include <kushi/head.h>
+#include <kushi/pigment.h>
 #include <kushi/style.h>
 
 #include <gmock/gmock.h>
@@ -82,7 +83,7 @@ TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
     EXPECT_EQ(part.scalp.surface, ScalpSurface::Ellipsoid);
     EXPECT_TRUE(part.scalp.groups.empty());
     EXPECT_FALSE(part.scalp.mask);
-    EXPECT_EQ(part.hair.color, (Rgb{0.11F, 0.057F, 0.034F}));
+    EXPECT_EQ(part.hair.color, (Rgb{0.06F, 0.032F, 0.02F}));
     EXPECT_EQ(part.hair.variation, 0.12);
 }
 
@@ -215,11 +216,77 @@ TEST(Style, ColorsArePickedInSrgbAndKeptInLinearLight) {
     EXPECT_EQ(partWith("color = [0, 0.0, 0]\n").hair.color, (Rgb{}));
 }
 
+TEST(Style, PigmentIsTheColourOfAHeadOfIt) {
+    const auto pigment = [](const std::string& melanin) {
+        return partWith("color = { melanin = " + melanin + " }\n").hair.color;
+    };
+    const Rgb brown = pigment("1.3");
+    const Rgb back = absorptionOfColor(brown, 0.3);
+    EXPECT_NEAR(back.r, 0.5447, 1e-3);
+    EXPECT_NEAR(back.g, 0.9061, 1e-3);
+    EXPECT_NEAR(back.b, 1.7810, 2e-3);
+    EXPECT_GT(pigment("0.3").g, brown.g);
+    EXPECT_GT(pigment("4").r, pigment("8").r);
+    EXPECT_GT(absorptionOfColor(pigment("8"), 0.3).r, absorptionOfColor(pigment("4"), 0.3).r);
+    const Rgb red = pigment("1.3, redness = 1");
+    EXPECT_GT(red.r / red.g, brown.r / brown.g);
+    EXPECT_EQ(pigment("0"), (Rgb{1, 1, 1}));
+}
+
+TEST(Style, HairHasGreyStrandsRegrowthAndTips) {
+    Hair hair = partWith("").hair;
+    EXPECT_EQ(hair.grey.share, 0);
+    EXPECT_FALSE(hair.regrowth);
+    EXPECT_FALSE(hair.tips);
+    hair = partWith(
+               "grey = 0.3\nregrowth = { color = \"black\", length = 3 }\n"
+               "tips = { color = { melanin = 0 }, length = 10 }\n")
+               .hair;
+    EXPECT_EQ(hair.grey.share, 0.3);
+    EXPECT_EQ(hair.grey.color, Grey().color);
+    ASSERT_TRUE(hair.regrowth && hair.tips);
+    EXPECT_EQ(hair.regrowth->color, partWith("color = \"black\"\n").hair.color);
+    EXPECT_EQ(hair.regrowth->length, 0.03);
+    EXPECT_NEAR(hair.regrowth->blend, 0.01, 1e-12);
+    EXPECT_EQ(hair.tips->color, (Rgb{1, 1, 1}));
+    EXPECT_EQ(hair.tips->length, 0.1);
+    EXPECT_EQ(hair.tips->blend, 0.1);
+    hair = partWith(
+               "grey = { share = 0.5, color = [1, 1, 1] }\n"
+               "tips = { color = \"red\", length = 8, blend = 2 }\n")
+               .hair;
+    EXPECT_EQ(hair.grey.share, 0.5);
+    EXPECT_EQ(hair.grey.color, (Rgb{1, 1, 1}));
+    EXPECT_EQ(hair.tips->blend, 0.02);
+}
+
+TEST(Style, HighlightsAreRead) {
+    const Part part = partWith(
+        "[[highlight]]\ncolor = \"blond\"\n[[highlight]]\ncolor = [1, 1, 1]\nshare = 0.1\n"
+        "roots = { theta = [0, 90] }\nfoil = 0.5\nfrom = 2\nto = 20\nblend = 0\n");
+    ASSERT_EQ(part.highlights.size(), 2U);
+    EXPECT_EQ(part.highlights[0].color, partWith("color = \"blond\"\n").hair.color);
+    EXPECT_EQ(part.highlights[0].share, 0.2);
+    EXPECT_EQ(part.highlights[0].foil, 0);
+    EXPECT_EQ(part.highlights[0].from, 0);
+    EXPECT_EQ(part.highlights[0].to, inf);
+    EXPECT_EQ(part.highlights[0].blend, 0.01);
+    const Highlight& second = part.highlights[1];
+    EXPECT_EQ(second.color, (Rgb{1, 1, 1}));
+    EXPECT_EQ(second.share, 0.1);
+    ASSERT_EQ(second.roots.size(), 1U);
+    expectRange(second.roots[0].theta, 0, pi / 2);
+    EXPECT_EQ(second.foil, 0.005);
+    EXPECT_EQ(second.from, 0.02);
+    EXPECT_EQ(second.to, 0.2);
+    EXPECT_EQ(second.blend, 0);
+}
+
 TEST(Style, NamedColorsAreInOrderOfTheirLightness) {
     EXPECT_EQ(partWith("color = \"dark brown\"\n").hair.color, Hair().color);
     float last = 0;
-    for (const std::string name :
-         {"black", "dark brown", "brown", "light brown", "grey", "blond", "white"}) {
+    for (const std::string name : {"black", "dark brown", "auburn", "brown", "light brown",
+                                   "dark blond", "grey", "blond", "platinum", "white"}) {
         const Rgb color = partWith("color = \"" + name + "\"\n").hair.color;
         const float luminance = 0.2126F * color.r + 0.7152F * color.g + 0.0722F * color.b;
         EXPECT_GT(luminance, last) << name;
@@ -595,6 +662,11 @@ TEST(Style, EveryKnownKeyIsRead) {
         {&tables::wave, "[hair.wave]\n"},
         {&tables::clump, "[hair.clump]\n"},
         {&tables::flyaway, "[hair.flyaway]\n"},
+        {&tables::grey, "[hair.grey]\n"},
+        {&tables::regrowth, "[hair.regrowth]\n"},
+        {&tables::tips, "[hair.tips]\n"},
+        {&tables::color, "[hair.color]\n"},
+        {&tables::highlight, "[[highlight]]\n"},
         {&tables::force, "[[force]]\n"},
         {&tables::cut, "[[cut]]\n"},
         {&tables::tie, "[[tie]]\n"},

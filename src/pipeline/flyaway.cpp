@@ -40,7 +40,9 @@ bool isFlyaway(const Flyaway& flyaway, std::uint64_t key) {
 
 void flyAway(const Flyaway& flyaway, std::uint64_t key, Vec3d middle, std::span<Vec3f> nodes) {
     const double whole = polylineLength(nodes);
-    if (!(whole > 0)) return;
+    // The first segment comes out of the skin, as it did.
+    const double first = polylineLength(nodes.first(2));
+    if (!(whole > first)) return;
     // Most of them a little, a few a lot.
     const double lot = uniform(mixKey(key, sizeSalt));
     const double most = std::min(flyaway.distance * (0.2 + 1.6 * lot * lot), farthest * whole);
@@ -49,7 +51,7 @@ void flyAway(const Flyaway& flyaway, std::uint64_t key, Vec3d middle, std::span<
     for (std::size_t j = 0; j < nodes.size(); ++j) {
         const Vec3d place = nodes[j].as<double>();
         if (j > 0) walked += length(place - nodes[j - 1].as<double>());
-        const double t = walked / whole;
+        const double t = std::max(0.0, walked - first) / (whole - first);
         const Vec3d tangent =
             (nodes[std::min(j + 1, nodes.size() - 1)] - nodes[j > 0 ? j - 1 : 0]).as<double>();
         const auto [outward, sideways] = asideOf(place, tangent, middle);

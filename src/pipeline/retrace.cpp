@@ -11,7 +11,7 @@ void retrace(std::span<const Vec3d> wanted, double scale, std::span<Vec3f> nodes
         const Vec3d way = here - before;
         const Vec3d aim = wanted[j] - wanted[j - 1];
         const double size = length(aim);
-        place += scale * (size > 0 ? length(way) / size * aim : way);
+        place += (j > 1 ? scale : 1) * (size > 0 ? length(way) / size * aim : way);
         nodes[j] = place.as<float>();
         before = here;
     }

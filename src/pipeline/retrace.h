@@ -7,8 +7,8 @@
 
 namespace kushi {
 
-/// Walks from a strand's root, segment by segment, each as long as it was times `scale` and in the
-/// direction of that of `wanted`.
+/// Walks from a strand's root, segment by segment, each in the direction of that of `wanted` and as
+/// long as it was, times `scale` but for the first, which comes out of the skin.
 ///
 /// nodes   root first [m]; as they were, then as walked
 /// wanted  as many nodes [m]

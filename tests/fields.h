@@ -7,8 +7,8 @@
 
 namespace kushi::test {
 
-/// Distance fields are kept here from one test to the next: of the mannequin they take a second, and
-/// many times that under sanitizers.
+/// Distance fields are kept here from one test to the next: of the mannequin they take a second,
+/// and many times that under sanitizers.
 inline std::string fieldCache() {
     return testing::TempDir() + "kushi_fields";
 }

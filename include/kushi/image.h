@@ -23,8 +23,8 @@ struct Image {
     const Rgb& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
-/// As film answers light: what is darker than 0.5 stays, what is brighter comes ever nearer to 1, each
-/// channel by itself, so that highlights keep their shape.
+/// As film answers light: what is darker than 0.5 stays, what is brighter comes ever nearer to 1,
+/// each channel by itself, so that highlights keep their shape.
 Image rolledOff(Image image);
 
 /// Writes an 8-bit sRGB PNG; values are clamped to [0, 1], what is not a number becomes 0. The file

@@ -59,8 +59,8 @@ length = 16
 )";
 }
 
-// The block, its style, and a groom of two strands of 16 cm, one of them through it, nowhere as near
-// to one face as to another.
+// The block, its style, and a groom of two strands of 16 cm, one of them through it, nowhere as
+// near to one face as to another.
 std::string folderWithBlock() {
     const std::string folder = freshFolder();
     writeText(folder + "/block.obj", block);

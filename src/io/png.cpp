@@ -114,7 +114,7 @@ bool encode(const PngState& state, const Image& image, const float* const alpha,
             for (const float channel : {pixel.r, pixel.g, pixel.b})
                 *byte++ = srgb(channel * scale);
             if (alpha != nullptr)
-                *byte++ = static_cast<png_byte>(255 * std::clamp(share, 0.0F, 1.0F) + 0.5F);
+                *byte++ = static_cast<png_byte>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
         }
         png_write_row(png, row);
     }

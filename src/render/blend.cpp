@@ -7,10 +7,9 @@ bool Blend::anyOpen(double left, double top, double right, double bottom) const 
     const auto blockOf = [&](double x) {
         return static_cast<int>(std::clamp<double>(x, 0, size_ - 1)) / block;
     };
-    const int side = size_ / block;
     for (int y = blockOf(top); y <= blockOf(bottom); ++y) {
         for (int x = blockOf(left); x <= blockOf(right); ++x) {
-            if (open_[static_cast<std::size_t>(y * side + x)] > 0) return true;
+            if (open_[index(x, y)] > 0) return true;
         }
     }
     return false;
@@ -31,8 +30,7 @@ void Blend::add(int x, int y, std::uint32_t node, float share, Float4 color) {
     const bool wasOpen = pixel.left > opaque;
     pixel.left = pixel.before * (1 - pixel.share);
     if (wasOpen && pixel.left <= opaque) {
-        const int side = size_ / block;
-        --open_[static_cast<std::size_t>(y / block * side + x / block)];
+        --open_[index(x / block, y / block)];
     }
 }
 

@@ -43,6 +43,12 @@ public:
 
 private:
     static constexpr int block = 8;
+
+    /// In open_.
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_ / block) +
+               static_cast<std::size_t>(column);
+    }
     static constexpr float opaque = 1.0F / 512;
 
     struct Pixel {

@@ -24,7 +24,8 @@ public:
             truncated(smaller(larger((box.sides - origin_) * perSample_, none), last));
         for (int row = block[1]; row <= block[3]; ++row) {
             for (int column = block[0]; column <= block[2]; ++column) {
-                const auto index = static_cast<std::size_t>(row * blocks + column);
+                const std::size_t index =
+                    static_cast<std::size_t>(row) * blocks + static_cast<std::size_t>(column);
                 if (box.nearest >= farthest_[index]) return false;
             }
         }

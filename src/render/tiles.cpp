@@ -57,6 +57,20 @@ private:
     static constexpr std::uint32_t none = 0xffffffff;
     static constexpr std::uint32_t several = 0xfffffffe;
 
+    /// A test for tiles that come within `margin` of the line through a segment that has a length.
+    auto nearLine(const ScreenSegment& segment, double margin) const {
+        const double x = segment.b.x - segment.a.x;
+        const double y = segment.b.y - segment.a.y;
+        const double side = grid_.tileSize();
+        const double limit =
+            margin * std::sqrt(x * x + y * y) + 0.5 * side * (std::abs(x) + std::abs(y));
+        return [=, at = segment.a](int column, int row) {
+            const double toX = (column + 0.5) * side - at.x;
+            const double toY = (row + 0.5) * side - at.y;
+            return std::abs(x * toY - y * toX) <= limit;
+        };
+    }
+
     template <class Visit>
     void forEachTileOf(std::uint32_t node, const Visit& visit) const {
         // The tiles of the box around the segment.
@@ -87,20 +101,6 @@ private:
         }
         const Line line = lineOf(segment, node, scene_.projection(), grid_);
         forEachTile(line, grid_, [&](int column, int row) { visit(grid_.index(column, row)); });
-    }
-
-    /// A test for tiles that come within `margin` of the line through a segment that has a length.
-    auto nearLine(const ScreenSegment& segment, double margin) const {
-        const double x = segment.b.x - segment.a.x;
-        const double y = segment.b.y - segment.a.y;
-        const double side = grid_.tileSize();
-        const double limit =
-            margin * std::sqrt(x * x + y * y) + 0.5 * side * (std::abs(x) + std::abs(y));
-        return [=, at = segment.a](int column, int row) {
-            const double toX = (column + 0.5) * side - at.x;
-            const double toY = (row + 0.5) * side - at.y;
-            return std::abs(x * toY - y * toX) <= limit;
-        };
     }
 
     const Scene& scene_;

@@ -64,7 +64,10 @@ void DepthMap::cover(const Place& a, const Place& b, const Place& c) {
 
 float DepthMap::lit(Vec3f place, float slack) const {
     if (nearest_.empty()) return 1;
-    const auto [u, v, depth] = project(place);
+    const Place found = project(place);
+    const float u = found.u;
+    const float v = found.v;
+    const float depth = found.depth;
     // Also false for what is not a number.
     if (!(u >= 0 && v >= 0 && u < static_cast<float>(width_ - 1) &&
           v < static_cast<float>(height_ - 1)))

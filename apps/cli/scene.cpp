@@ -21,8 +21,8 @@ namespace {
 constexpr double collar = 0.035;
 
 constexpr Rgb skin = {0.50F, 0.44F, 0.40F};
-// Of the tangent from node to node, for highlights of some 7 degrees [rad].
-const double mostTurn = radians(4);
+// Of the tangent from node to node: about as much as highlights are wide [rad].
+const double mostTurn = radians(7);
 constexpr Rgb backdrop = {0.40F, 0.41F, 0.43F};
 constexpr Rgb felt = {0.16F, 0.17F, 0.20F};  // of what is no head
 

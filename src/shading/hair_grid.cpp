@@ -112,10 +112,11 @@ float HairGrid::Cell::crossings(Vec3f direction) const {
 Vec3f HairGrid::middle(std::size_t cell) const {
     const auto rows = static_cast<std::size_t>(counts[1]);
     const auto columns = static_cast<std::size_t>(counts[2]);
-    const std::size_t row = cell / columns;
-    return low + size * Vec3f{static_cast<float>(row / rows) + 0.5F,
-                              static_cast<float>(row % rows) + 0.5F,
-                              static_cast<float>(cell % columns) + 0.5F};
+    const std::size_t z = cell % columns;
+    const std::size_t y = cell / columns % rows;
+    const std::size_t x = cell / columns / rows;
+    return low + size * Vec3f{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                              static_cast<float>(z) + 0.5F};
 }
 
 std::size_t HairGrid::cubeAt(Vec3f place) const {

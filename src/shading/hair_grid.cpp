@@ -47,8 +47,8 @@ public:
             const Vec3f step = nodes[i + 1] - nodes[i];
             const float size = length(step);
             if (!(size > 0) || !std::isfinite(size)) continue;
-            const float diameter =
-                diameters.empty() ? defaultDiameter : 0.5F * (diameters[i] + diameters[i + 1]);
+            const float diameter = usable(
+                diameters.empty() ? defaultDiameter : 0.5F * (diameters[i] + diameters[i + 1]));
             const int pieces = std::min(1 + static_cast<int>(size / grid_.size), 1024);
             const float area = diameter * size * unit_ / static_cast<float>(pieces);
             const float along = area / size;
@@ -64,6 +64,9 @@ public:
     const std::vector<Sum>& sums() const { return sums_; }
 
 private:
+    /// No thicker than a cube; 0 for what is no diameter.
+    float usable(float diameter) const { return diameter > 0 ? std::min(diameter, grid_.size) : 0; }
+
     const HairGrid& grid_;
     std::vector<Sum> sums_;
     float unit_;

@@ -68,6 +68,8 @@ TEST(HairGrid, TakesWhatComes) {
     Strands strands = lattice(2, 0.01F, 0.1F, 8e-5F);
     strands.nodes[3].x = std::numeric_limits<float>::quiet_NaN();
     strands.diameters[30] = 1e30F;
+    strands.diameters[33] = std::numeric_limits<float>::quiet_NaN();
+    strands.diameters[36] = -1;
     strands.nodes[50] = strands.nodes[51];
     const HairGrid grid = hairGrid(strands, 64, 1);
     for (const HairGrid::Cell& cell : grid.cells)

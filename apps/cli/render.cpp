@@ -98,7 +98,7 @@ int runRender(const RenderArguments& arguments) {
     Result<Scene> scene = loadScene(arguments.input, arguments.flags, reporting, clock);
     if (!scene) return report(scene.problems());
     const Look look = lookNamed(arguments.look);
-    prepare(*scene, look, clock);
+    prepare(*scene, look, arguments.flags.threads, clock);
     const DrawOptions options = drawOptions(*size, arguments.stroke, look, arguments.flags.threads);
     const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
     const std::optional<Layers> wanted =

@@ -7,7 +7,6 @@
 #include <kushi/groom_io.h>
 #include <kushi/head.h>
 #include <kushi/shade.h>
-#include <kushi/shadows.h>
 #include <kushi/subdivide.h>
 
 #include <algorithm>
@@ -80,11 +79,13 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
 // A colour for each node, and for each of the head's vertices in it.
 std::vector<Rgb> naturalColors(Scene& scene, Vec3f eye, int threads, StageClock& clock) {
     const Lights lights = portraitLights();
-    const Shadows shadows(scene.strands, scene.head, lights, threads);
-    clock.end("shadows");
+    if (!scene.shadows) {
+        scene.shadows.emplace(scene.strands, scene.head, lights, threads);
+        scene.head.colors = shadeMatt(scene.head, lights, scene.skin, *scene.shadows);
+        clock.end("shadows");
+    }
     std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, shadows, FibreLook(), eye, colors, threads);
-    scene.head.colors = shadeMatt(scene.head, lights, scene.skin, shadows);
+    shade(scene.strands, lights, *scene.shadows, FibreLook(), eye, colors, threads);
     return colors;
 }
 
@@ -141,11 +142,11 @@ Look lookNamed(const std::string& name) {
     return name == "paper" ? Look::Paper : Look::Natural;
 }
 
-void prepare(Scene& scene, Look look, StageClock& clock) {
+void prepare(Scene& scene, Look look, int threads, StageClock& clock) {
     if (look != Look::Natural) return;
     for (float& diameter : scene.strands.diameters)
         diameter *= scene.widened;
-    scene.strands = subdivided(scene.strands, mostTurn);
+    scene.strands = subdivided(scene.strands, mostTurn, threads);
     clock.end("smooth");
 }
 

@@ -7,6 +7,7 @@
 #include <kushi/camera.h>
 #include <kushi/draw.h>
 #include <kushi/settle.h>
+#include <kushi/shadows.h>
 #include <kushi/trace.h>
 
 #include <optional>
@@ -16,11 +17,12 @@ namespace kushi {
 
 /// What there is to draw of a style or a groom.
 struct Scene {
-    Strands strands;                ///< with their inner pieces, if a style's
-    Mesh head;                      ///< may be empty
-    std::vector<Rgb> skin;          ///< albedo of each of the head's vertices
-    float widened = 1;              ///< times their width, strands of a preview stand for the rest
-    std::optional<Ellipsoid> body;  ///< what the hair grows on, if it is known
+    Strands strands;                 ///< with their inner pieces, if a style's
+    Mesh head;                       ///< may be empty
+    std::vector<Rgb> skin;           ///< albedo of each of the head's vertices
+    float widened = 1;               ///< times their width, strands of a preview stand for the rest
+    std::optional<Shadows> shadows;  ///< once a picture in the natural look has been drawn
+    std::optional<Ellipsoid> body;   ///< what the hair grows on, if it is known
     SettleReport report;
 };
 
@@ -42,10 +44,10 @@ enum class Look {
 Look lookNamed(const std::string& name);
 
 /// Makes the strands smooth enough for the look's highlights. Stage `smooth`.
-void prepare(Scene& scene, Look look, StageClock& clock);
+void prepare(Scene& scene, Look look, int threads, StageClock& clock);
 
 /// The picture; `options` but for the background, which is the look's. Stages `shadows`, of the
-/// natural look, `shade` and `draw`.
+/// first in the natural look, `shade` and `draw`.
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock);
 

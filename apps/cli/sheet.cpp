@@ -90,7 +90,7 @@ int runSheet(const SheetArguments& arguments) {
         StageClock clock;
         Result<Scene> scene = loadScene(input, arguments.flags, false, clock);
         if (!scene) return report(scene.problems());
-        prepare(*scene, look, clock);
+        prepare(*scene, look, arguments.flags.threads, clock);
         for (const View view : *views) {
             const double aspect = static_cast<double>(options.width) / options.height;
             sheet.add(drawScene(*scene, portrait(*scene, view, aspect), options, look, clock));

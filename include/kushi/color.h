@@ -15,4 +15,10 @@ struct Rgb {
     constexpr Rgb& operator+=(Rgb other) { return *this = *this + other; }
 };
 
+/// `share` of the way from a to b.
+constexpr Rgb mixed(Rgb a, Rgb b, double share) {
+    const auto s = static_cast<float>(share);
+    return a * (1 - s) + b * s;
+}
+
 }  // namespace kushi

@@ -32,16 +32,13 @@ struct DrawOptions {
     float widen = 1;
 };
 
-/// Of strands that do not say [m].
-inline constexpr float drawnDiameter = 75e-6F;
-
 /// Draws strands with a colour per node interpolated along each segment, and the mesh's triangles
 /// with their vertex colours, all depth-tested sample by sample; then averages each pixel's samples
 /// in linear light. (The paper: lines, 4096 x 4096 filtered to 1024 x 1024.)
 ///
 /// A segment of length l and width w on the picture covers l w samples on average, whatever its
 /// place and slope, be w above or below one. Widths run linearly between nodes; a strand without
-/// diameters is 75 micrometres wide (drawnDiameter), one that is not finite or below zero has none.
+/// diameters is 75 micrometres wide (usualDiameter), one that is not finite or below zero has none.
 /// Analytic strokes are blended from near to far, segment by segment, as if what they cover of a
 /// pixel were spread over it; `supersample` is then for the mesh alone.
 ///

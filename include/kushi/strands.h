@@ -14,6 +14,9 @@
 
 namespace kushi {
 
+/// Diameter of strands that do not say [m].
+inline constexpr float usualDiameter = 75e-6F;
+
 /// A groom: polylines, each from root to tip, one after the other.
 ///
 /// Strand i owns the nodes [offsets[i], offsets[i + 1]). Attributes are either empty or complete.

@@ -20,8 +20,8 @@ namespace kushi {
 struct TraceLook {
     Fibre fibre = FibreLook{}.fibre;
     Rgb color =
-        FibreLook{}.color;    ///< that a whole head of the hair shows, where strands have none
-    float diameter = 75e-6F;  ///< m, where strands have none
+        FibreLook{}.color;  ///< that a whole head of the hair shows, where strands have none
+    float diameter = usualDiameter;  ///< m, where strands have none
     /// Share of light that skin reflects at right angles without tinting it, in [0, 1]; more
     /// where it grazes (Schlick 1994). 0 makes it matt.
     float skinGloss = 0.028F;

@@ -87,9 +87,6 @@ std::uint32_t partsOf(double turn, double maxTurn) {
     return static_cast<std::uint32_t>(std::clamp(std::ceil(turn / maxTurn), 1.0, mostParts));
 }
 
-Rgb mixed(Rgb a, Rgb b, float share) {
-    return a * (1 - share) + b * share;
-}
 float mixed(float a, float b, float share) {
     return a * (1 - share) + b * share;
 }

@@ -24,19 +24,24 @@ std::uint64_t cellKey(std::int64_t x, std::int64_t y, std::int64_t z) {
     return key;
 }
 
+std::int64_t cellAlong(double at, double edge) {
+    return static_cast<std::int64_t>(std::floor(at / edge));
+}
+
 // The 27 cells of a grid about a place, its own in the middle.
 template <class Visit>
 void eachCellAround(Vec3d place, double edge, Visit visit) {
-    const auto cell = [&](double at) { return static_cast<std::int64_t>(std::floor(at / edge)); };
-    for (std::int64_t x = cell(place.x) - 1; x <= cell(place.x) + 1; ++x)
-        for (std::int64_t y = cell(place.y) - 1; y <= cell(place.y) + 1; ++y)
-            for (std::int64_t z = cell(place.z) - 1; z <= cell(place.z) + 1; ++z)
+    const std::int64_t column = cellAlong(place.x, edge);
+    const std::int64_t row = cellAlong(place.y, edge);
+    const std::int64_t layer = cellAlong(place.z, edge);
+    for (std::int64_t x = column - 1; x <= column + 1; ++x)
+        for (std::int64_t y = row - 1; y <= row + 1; ++y)
+            for (std::int64_t z = layer - 1; z <= layer + 1; ++z)
                 visit(cellKey(x, y, z));
 }
 
 std::uint64_t cellOf(Vec3d place, double edge) {
-    const auto cell = [&](double at) { return static_cast<std::int64_t>(std::floor(at / edge)); };
-    return cellKey(cell(place.x), cell(place.y), cell(place.z));
+    return cellKey(cellAlong(place.x, edge), cellAlong(place.y, edge), cellAlong(place.z, edge));
 }
 
 }  // namespace

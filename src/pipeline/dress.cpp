@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/smooth_step.h"
 #include "pipeline/aside.h"
 #include "pipeline/flyaway.h"
 #include "pipeline/penetration.h"
@@ -34,11 +35,6 @@ constexpr double parting = 3;
 constexpr double parted = 6;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-double smoothStep(double low, double high, double value) {
-    const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 // Places by the way from the root.
 class Path {

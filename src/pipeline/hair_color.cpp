@@ -2,6 +2,7 @@
 #include "pipeline/hair_color.h"
 
 #include "core/random.h"
+#include "core/smooth_step.h"
 #include "pipeline/patch.h"
 #include "style/ranges.h"
 
@@ -23,16 +24,10 @@ constexpr float rootLength = 0.03F;  // m
 // Strands fade earlier or later by up to this share of the blend.
 constexpr double raggedness = 0.25;
 
-Rgb mixed(Rgb from, Rgb to, double share) {
-    const auto t = static_cast<float>(share);
-    return (1 - t) * from + t * to;
-}
-
 // 0 below, 1 above.
 double ramp(double low, double high, double value) {
-    if (!(low < high)) return value < high ? 0 : 1;
-    const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
+    if (low < high) return smoothStep(low, high, value);
+    return value < high ? 0 : 1;
 }
 
 // Of the end's colour, so far from that end.

@@ -10,19 +10,6 @@
 
 namespace kushi {
 
-namespace {
-
-Float4 scaled(Rgb color, float q) {
-    return Float4{color.r * q, color.g * q, color.b * q, q};
-}
-
-Rgb mix(Rgb a, Rgb b, double share) {
-    const auto s = static_cast<float>(share);
-    return a * (1 - s) + b * s;
-}
-
-}  // namespace
-
 AnalyticPainter::AnalyticPainter(const Scene& scene, const TileGrid& grid,
                                  std::span<const Rgb> colors, const DrawOptions& options,
                                  Image& image, LayeredImage* layers)
@@ -97,7 +84,7 @@ void AnalyticPainter::drawSegment(std::uint32_t node, const ScreenSegment& segme
 
     // Colour by distance and 1 / distance at both ends; how far along each pixel's centre lies.
     const auto paintAt = [&](const ScreenPoint& at, double share) {
-        return scaled(mix(colors_[node], colors_[node + 1], share), static_cast<float>(at.q));
+        return scaled(mixed(colors_[node], colors_[node + 1], share), at.q);
     };
     const Float4 atA = paintAt(segment.a, segment.from);
     const Float4 change = paintAt(segment.b, segment.to) - atA;

@@ -9,22 +9,12 @@ namespace kushi {
 
 namespace {
 
-Float4 scaled(Rgb color, double q) {
-    const auto s = static_cast<float>(q);
-    return Float4{color.r * s, color.g * s, color.b * s, s};
-}
-
 /// Moves what holds at a point of the picture to the centre of the tile's first sample.
 Paint anchored(Float4 value, Float4 perX, Float4 perY, const ScreenPoint& at, int tileX,
                int tileY) {
     const auto x = static_cast<float>(tileX + 0.5 - at.x);
     const auto y = static_cast<float>(tileY + 0.5 - at.y);
     return {value + x * perX + y * perY, perX, perY};
-}
-
-Rgb mix(Rgb a, Rgb b, double share) {
-    const auto s = static_cast<float>(share);
-    return a * (1 - s) + b * s;
 }
 
 }  // namespace
@@ -36,8 +26,8 @@ Paint paintOf(Rgb color) {
 Paint paintOf(const ScreenSegment& segment, Rgb first, Rgb last, int tileX, int tileY) {
     const ScreenPoint& a = segment.a;
     const ScreenPoint& b = segment.b;
-    const Float4 atA = scaled(mix(first, last, segment.from), a.q);
-    const Float4 atB = scaled(mix(first, last, segment.to), b.q);
+    const Float4 atA = scaled(mixed(first, last, segment.from), a.q);
+    const Float4 atB = scaled(mixed(first, last, segment.to), b.q);
     const double x = b.x - a.x;
     const double y = b.y - a.y;
     const double square = x * x + y * y;

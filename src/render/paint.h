@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "render/float4.h"
+#include "core/float4.h"
 #include "render/scene.h"
 
 #include <kushi/color.h>
@@ -22,6 +22,12 @@ struct Paint {
         return value / value[3];
     }
 };
+
+/// A colour times 1 / distance, and that.
+inline Float4 scaled(Rgb color, double q) {
+    const auto s = static_cast<float>(q);
+    return Float4{color.r * s, color.g * s, color.b * s, s};
+}
 
 Paint paintOf(Rgb color);
 /// b may be a's place: then their mean.

@@ -60,7 +60,7 @@ Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& project
 }
 
 double Scene::diameter(std::size_t node) const {
-    return strands_.diameters.size() == nodes_.size() ? strands_.diameters[node] : drawnDiameter;
+    return strands_.diameters.size() == nodes_.size() ? strands_.diameters[node] : usualDiameter;
 }
 
 double Scene::widthOf(double diameter, double q) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "render/float4.h"
+#include "core/float4.h"
 #include "render/projection.h"
 
 #include <kushi/draw.h>

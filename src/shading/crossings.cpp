@@ -72,7 +72,7 @@ std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight, fl
     const float half = 0.5F * grid.size / most;
     const float share = ahead * most;
 
-    const std::array<std::size_t, 3> strides = {grid.index(1, 0, 0), grid.index(0, 1, 0), 1};
+    const std::array<std::size_t, 3> strides = grid.strides();
     const int layers = grid.counts[axis];
     const int rows = grid.counts[rowAxis];
     const int columns = grid.counts[columnAxis];

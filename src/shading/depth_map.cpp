@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/depth_map.h"
 
+#include "geometry/axes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,8 +18,7 @@ constexpr int largest = 2048;
 
 DepthMap::DepthMap(const Mesh& mesh, Vec3f towardsLight, float texel)
     : towards_(towardsLight), texel_(texel) {
-    const Vec3f aside = std::abs(towards_.y) < 0.9F ? Vec3f{0, 1, 0} : Vec3f{1, 0, 0};
-    right_ = normalized(cross(aside, towards_));
+    right_ = -anyNormal(towards_);
     up_ = cross(towards_, right_);
     float right = nothing;
     float top = nothing;

@@ -163,10 +163,10 @@ FarField::FarField(const Fibre& fibre) {
     }
 }
 
-FarField::Around FarField::around(Lanes sinHalf, Lanes phi) const {
-    const Lanes row = least(sinHalf, lanes(0.9999F)) * (rows - 1);
-    const Lanes column = least(phi * static_cast<float>((columns - 1) / pi),
-                               lanes(static_cast<float>(columns - 1) - 0.001F));
+FarField::Around FarField::around(Float4 sinHalf, Float4 phi) const {
+    const Float4 row = smaller(sinHalf, float4(0.9999F)) * (rows - 1);
+    const Float4 column = smaller(phi * static_cast<float>((columns - 1) / pi),
+                                  float4(static_cast<float>(columns - 1) - 0.001F));
     std::array<Entry, 4> mixed;
     for (std::size_t lane = 0; lane < 4; ++lane) {
         const auto i = static_cast<std::size_t>(row[lane]);
@@ -175,13 +175,13 @@ FarField::Around FarField::around(Lanes sinHalf, Lanes phi) const {
         const float v = column[lane] - static_cast<float>(j);
         const Entry* const at = &entries_[i * columns + j];
         for (std::size_t k = 0; k < 2; ++k) {
-            const Lanes one = at[0][k] + v * (at[1][k] - at[0][k]);
-            const Lanes two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
+            const Float4 one = at[0][k] + v * (at[1][k] - at[0][k]);
+            const Float4 two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
             mixed[lane][k] = one + u * (two - one);
         }
     }
     const auto all = [&](std::size_t k, std::size_t i) {
-        return Lanes{mixed[0][k][i], mixed[1][k][i], mixed[2][k][i], mixed[3][k][i]};
+        return Float4{mixed[0][k][i], mixed[1][k][i], mixed[2][k][i], mixed[3][k][i]};
     };
     return {all(0, 0), all(0, 1), all(0, 2), all(0, 3), all(1, 0), all(1, 1), all(1, 2), all(1, 3)};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/lanes.h"
+#include "core/float4.h"
 
 #include <kushi/fibre.h>
 
@@ -20,14 +20,14 @@ public:
     /// What a clear fibre sends around itself [1/rad], and how far through it light has gone
     /// [radii], for four lights at once.
     struct Around {
-        Lanes r, tt, trt;
-        Lanes pathTt, pathTrt;
+        Float4 r, tt, trt;
+        Float4 pathTt, pathTrt;
         /// The same where light comes from all of the half circle about phi (Zinke et al. 2008).
-        Lanes rHalf, ttHalf, trtHalf;
+        Float4 rHalf, ttHalf, trtHalf;
     };
     /// sinHalf  of half the difference between the angles to the normal plane, in [0, 1]
     /// phi      between the two directions around the fibre, in [0, pi]
-    Around around(Lanes sinHalf, Lanes phi) const;
+    Around around(Float4 sinHalf, Float4 phi) const;
 
     /// What a fibre does to light on average over all that comes square to it or slanting.
     struct Albedo {
@@ -42,7 +42,7 @@ private:
     static constexpr std::size_t columns = 64;   // of phi
     static constexpr std::size_t pigments = 64;  // of absorption / (absorption + 0.5)
 
-    using Entry = std::array<Lanes, 2>;  // in the order of Around
+    using Entry = std::array<Float4, 2>;  // in the order of Around
     std::vector<Entry> entries_;
     std::vector<Albedo> albedos_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dual scattering: Zinke, Yuksel, Weber & Keyser, "Dual Scattering Approximation for Fast Multiple
 // Scattering in Hair" (2008).
-#include "core/lanes.h"
+#include "core/float4.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "shading/far_field.h"
@@ -43,8 +43,8 @@ struct Pigment {
 
 /// Four directions from a fibre, against the one to the eye.
 struct Directions {
-    Lanes sinIn, cosIn;  ///< of the angle to the normal plane
-    Lanes phi, cosPhi;   ///< around the fibre, from the eye
+    Float4 sinIn, cosIn;  ///< of the angle to the normal plane
+    Float4 phi, cosPhi;   ///< around the fibre, from the eye
 };
 
 class FibreShading {
@@ -64,14 +64,14 @@ public:
     /// tilt  by which this strand's scales differ [rad]
     Rgb node(Vec3f tangent, float tilt, Vec3f toEye, const Pigment& pigment,
              const Shadows::Sky& sky, std::span<const Passage> passages) const {
-        const Lanes forward = channels(pigment, &FarField::Albedo::forward);
-        const Lanes pastBehind = exponential(-sky.beyond.crossings * (1 - forward));
+        const Float4 forward = channels(pigment, &FarField::Albedo::forward);
+        const Float4 pastBehind = exponential(-sky.beyond.crossings * (1 - forward));
         // What hair close by sends back, where there is any behind.
-        const Lanes near = channels(pigment, &FarField::Albedo::local) * (1 - pastBehind);
+        const Float4 near = channels(pigment, &FarField::Albedo::local) * (1 - pastBehind);
         // From the eye's side hair sends light back, from beyond it lets it through.
-        const Lanes ambient = sky.here.free * exponential(-sky.here.crossings * (1 - forward)) *
-                                  (channels(pigment, &FarField::Albedo::backward) + near) +
-                              sky.beyond.free * pastBehind * forward;
+        const Float4 ambient = sky.here.free * exponential(-sky.here.crossings * (1 - forward)) *
+                                   (channels(pigment, &FarField::Albedo::backward) + near) +
+                               sky.beyond.free * pastBehind * forward;
         Rgb sum = lights_.ambient * Rgb{ambient[0], ambient[1], ambient[2]};
         for (std::size_t i = 0; i < passages.size(); i += 4)
             sum += fromLights(i, tangent, tilt, toEye, pigment, near, passages);
@@ -79,19 +79,19 @@ public:
     }
 
 private:
-    static Lanes channels(const Pigment& pigment, float FarField::Albedo::*part) {
-        return Lanes{pigment.albedo[0].*part, pigment.albedo[1].*part, pigment.albedo[2].*part, 0};
+    static Float4 channels(const Pigment& pigment, float FarField::Albedo::*part) {
+        return Float4{pigment.albedo[0].*part, pigment.albedo[1].*part, pigment.albedo[2].*part, 0};
     }
 
     /// What four lights from the first on add.
     Rgb fromLights(std::size_t first, Vec3f tangent, float tilt, Vec3f toEye,
-                   const Pigment& pigment, Lanes near, std::span<const Passage> passages) const {
+                   const Pigment& pigment, Float4 near, std::span<const Passage> passages) const {
         const float sinOut = std::clamp(dot(tangent, toEye), -1.0F, 1.0F);
         const float cosOut = std::sqrt(1 - sinOut * sinOut);
-        Lanes sinIn{};
-        Lanes facing{};
-        Lanes crossings{};
-        std::array<Lanes, 3> light{};
+        Float4 sinIn{};
+        Float4 facing{};
+        Float4 crossings{};
+        std::array<Float4, 3> light{};
         for (std::size_t i = first; i < std::min(first + 4, passages.size()); ++i) {
             const Vec3f direction = lights_.distant[i].direction;
             const Rgb color = lights_.distant[i].color;
@@ -105,42 +105,42 @@ private:
             light[1][lane] = reaching.g;
             light[2][lane] = reaching.b;
         }
-        const Lanes cosIn = squareRoot(1 - sinIn * sinIn);
-        const Lanes around = (facing - sinIn * sinOut) / most(cosIn * cosOut, lanes(1e-6F));
-        const Lanes cosPhi = least(most(around, lanes(-1)), lanes(1));
-        const std::array<Lanes, 3> share =
+        const Float4 cosIn = squareRoot(1 - sinIn * sinIn);
+        const Float4 around = (facing - sinIn * sinOut) / larger(cosIn * cosOut, float4(1e-6F));
+        const Float4 cosPhi = smaller(larger(around, float4(-1)), float4(1));
+        const std::array<Float4, 3> share =
             scattered({sinIn, cosIn, arcCosine(cosPhi), cosPhi}, sinOut, cosOut, tilt, pigment,
                       near, crossings);
         const auto sum = [&](std::size_t c) {
-            const Lanes product = light[c] * share[c];
+            const Float4 product = light[c] * share[c];
             return (product[0] + product[1]) + (product[2] + product[3]);
         };
         return {sum(0), sum(1), sum(2)};
     }
 
     /// M, with exp(-x) I0(x) to 1.4 %.
-    static Lanes stray(Lanes variance, const Directions& in, float sinOut, float cosOut) {
-        const Lanes inverse = 1 / variance;
-        const Lanes both = in.cosIn * cosOut;
-        const Lanes x = both * inverse;
-        const Lanes bessel = 1 + (2 * pi) * x * (0.390702F + x * (1.027749F + x)) /
-                                     (1.529653F + x * (1.543265F + x));
+    static Float4 stray(Float4 variance, const Directions& in, float sinOut, float cosOut) {
+        const Float4 inverse = 1 / variance;
+        const Float4 both = in.cosIn * cosOut;
+        const Float4 x = both * inverse;
+        const Float4 bessel = 1 + (2 * pi) * x * (0.390702F + x * (1.027749F + x)) /
+                                      (1.529653F + x * (1.543265F + x));
         return inverse * exponential((both - in.sinIn * sinOut - 1) * inverse) /
                ((1 - exponential(-2 * inverse)) * squareRoot(bessel));
     }
 
     /// Response per channel to four lights, after so many crossings on average.
-    std::array<Lanes, 3> scattered(const Directions& in, float sinOut, float cosOut, float tilt,
-                                   const Pigment& pigment, Lanes near, Lanes crossings) const {
-        const Lanes cosDifference = in.cosIn * cosOut + in.sinIn * sinOut;
-        const Lanes sinHalf = squareRoot(most(0.5F - 0.5F * cosDifference, lanes(0)));
+    std::array<Float4, 3> scattered(const Directions& in, float sinOut, float cosOut, float tilt,
+                                    const Pigment& pigment, Float4 near, Float4 crossings) const {
+        const Float4 cosDifference = in.cosIn * cosOut + in.sinIn * sinOut;
+        const Float4 sinHalf = squareRoot(larger(0.5F - 0.5F * cosDifference, float4(0)));
         const FarField::Around around = far_.around(sinHalf, in.phi);
-        const Lanes none = exponential(-crossings);
+        const Float4 none = exponential(-crossings);
         // Fibres crossed by what has crossed any.
-        const Lanes some = most(crossings / most(1 - none, lanes(1e-4F)), lanes(1));
+        const Float4 some = larger(crossings / larger(1 - none, float4(1e-4F)), float4(1));
 
-        std::array<Lanes, 3> direct{};
-        std::array<Lanes, 3> passed{};
+        std::array<Float4, 3> direct{};
+        std::array<Float4, 3> passed{};
         for (std::size_t p = 0; p < 3; ++p) {
             // Reflection turns by twice the tilt, two passages by minus one, four by minus two.
             static constexpr std::array<float, 3> times = {2, -1, -4};
@@ -150,21 +150,21 @@ private:
             const float cosine = lobe.cosTilt - lobe.sinTilt * turn;
             const float sinTurned = sinOut * cosine + cosOut * sine;
             const float cosTurned = std::abs(cosOut * cosine - sinOut * sine);
-            direct[p] = stray(lanes(variance_[p]), in, sinTurned, cosTurned);
+            direct[p] = stray(float4(variance_[p]), in, sinTurned, cosTurned);
             passed[p] = stray(variance_[p] + some * variance_[1], in, sinTurned, cosTurned);
         }
         direct[0] *= around.r;
         passed[0] *= around.rHalf;
-        const Lanes back =
-            (1 + in.cosPhi) * (1 / (2 * pi)) * stray(lanes(backVariance_), in, sinOut, cosOut);
+        const Float4 back =
+            (1 + in.cosPhi) * (1 / (2 * pi)) * stray(float4(backVariance_), in, sinOut, cosOut);
 
-        std::array<Lanes, 3> sum{};
+        std::array<Float4, 3> sum{};
         for (std::size_t c = 0; c < 3; ++c) {
-            const Lanes tt = exponential(-pigment.absorption[c] * around.pathTt);
-            const Lanes trt = exponential(-pigment.absorption[c] * around.pathTrt);
+            const Float4 tt = exponential(-pigment.absorption[c] * around.pathTt);
+            const Float4 trt = exponential(-pigment.absorption[c] * around.pathTrt);
             const auto& albedo = pigment.albedo[c];
-            const Lanes sentBack = look_.density * near[c] * back;
-            const Lanes through =
+            const Float4 sentBack = look_.density * near[c] * back;
+            const Float4 through =
                 look_.density * (exponential(-crossings * (1 - albedo.forward)) - none);
             sum[c] = none * (direct[0] + direct[1] * around.tt * tt + direct[2] * around.trt * trt +
                              sentBack) +

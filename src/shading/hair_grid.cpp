@@ -14,9 +14,8 @@ namespace kushi {
 
 namespace {
 
-constexpr float smallest = 0.003F;         // edge of a cube [m]
-constexpr float defaultDiameter = 75e-6F;  // m
-constexpr float perFace = 65536;           // units of area in the face of a cube
+constexpr float smallest = 0.003F;  // edge of a cube [m]
+constexpr float perFace = 65536;    // units of area in the face of a cube
 constexpr std::size_t strandsAtATime = 2048;
 
 /// Fibre area in units, and the same times the direction.
@@ -48,7 +47,7 @@ public:
             const float size = length(step);
             if (!(size > 0) || !std::isfinite(size)) continue;
             const float diameter = usable(
-                diameters.empty() ? defaultDiameter : 0.5F * (diameters[i] + diameters[i + 1]));
+                diameters.empty() ? usualDiameter : 0.5F * (diameters[i] + diameters[i + 1]));
             const int pieces = std::min(1 + static_cast<int>(size / grid_.size), 1024);
             const float area = diameter * size * unit_ / static_cast<float>(pieces);
             const float along = area / size;
@@ -83,8 +82,7 @@ Bounds finiteBounds(std::span<const Vec3f> nodes) {
 /// Along one axis each cube shares half of what it has with its two neighbours, so that which cube
 /// a piece fell into matters less.
 void blur(std::vector<Sum>& sums, const HairGrid& grid, std::size_t axis) {
-    const std::array<std::size_t, 3> strides = {grid.index(1, 0, 0), grid.index(0, 1, 0), 1};
-    const std::size_t stride = strides[axis];
+    const std::size_t stride = grid.strides()[axis];
     const auto count = static_cast<std::size_t>(grid.counts[axis]);
     for (std::size_t i = 0; i < sums.size(); ++i) {
         if (i / stride % count != 0) continue;
@@ -113,11 +111,11 @@ float HairGrid::Cell::crossings(Vec3f direction) const {
 }
 
 Vec3f HairGrid::middle(std::size_t cell) const {
+    const auto columns = static_cast<std::size_t>(counts[0]);
     const auto rows = static_cast<std::size_t>(counts[1]);
-    const auto columns = static_cast<std::size_t>(counts[2]);
-    const std::size_t z = cell % columns;
+    const std::size_t x = cell % columns;
     const std::size_t y = cell / columns % rows;
-    const std::size_t x = cell / columns / rows;
+    const std::size_t z = cell / columns / rows;
     return low + size * Vec3f{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
                               static_cast<float>(z) + 0.5F};
 }
@@ -142,7 +140,7 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
     grid.low = bounds.low - 2 * grid.size * Vec3f{1, 1, 1};
     const auto along = [&](float size) { return 5 + static_cast<int>(size / grid.size); };
     grid.counts = {along(extent.x), along(extent.y), along(extent.z)};
-    grid.cells.resize(grid.index(grid.counts[0], 0, 0));
+    grid.cells.resize(grid.index(0, 0, grid.counts[2]));
 
     std::vector<Sum> sums(grid.cells.size());
     std::mutex merging;
@@ -188,15 +186,14 @@ GridPlace placeIn(const HairGrid& grid, Vec3f place) {
                             static_cast<std::size_t>(grid.counts[i] - 2));
         share[i] = inside - static_cast<float>(first[i]);
     }
-    const auto strideY = static_cast<std::size_t>(grid.counts[2]);
-    const std::size_t strideX = static_cast<std::size_t>(grid.counts[1]) * strideY;
-    const std::size_t base = first[0] * strideX + first[1] * strideY + first[2];
+    const auto [strideX, strideY, strideZ] = grid.strides();
+    const std::size_t base = first[0] * strideX + first[1] * strideY + first[2] * strideZ;
     GridPlace found{};
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t x = i >> 2U;
         const std::size_t y = (i >> 1U) & 1U;
         const std::size_t z = i & 1U;
-        found.cubes[i] = base + x * strideX + y * strideY + z;
+        found.cubes[i] = base + x * strideX + y * strideY + z * strideZ;
         found.weights[i] = (x != 0 ? share[0] : 1 - share[0]) * (y != 0 ? share[1] : 1 - share[1]) *
                            (z != 0 ? share[2] : 1 - share[2]);
     }

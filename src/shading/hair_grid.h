@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <kushi/distance_field.h>
 #include <kushi/strands.h>
 
 #include <array>
@@ -24,13 +25,12 @@ struct HairGrid {
     Vec3f low;                       ///< m, corner of the first cube
     float size = 1;                  ///< m, of a cube's edges
     std::array<int, 3> counts = {};  ///< cubes along x, y, z
-    std::vector<Cell> cells;         ///< z fastest
+    std::vector<Cell> cells;         ///< x fastest, then y
 
-    std::size_t index(int x, int y, int z) const {
-        return (static_cast<std::size_t>(x) * static_cast<std::size_t>(counts[1]) +
-                static_cast<std::size_t>(y)) *
-                   static_cast<std::size_t>(counts[2]) +
-               static_cast<std::size_t>(z);
+    std::size_t index(int x, int y, int z) const { return gridIndex(counts, x, y, z); }
+    /// From a cube to the next along x, y, z.
+    std::array<std::size_t, 3> strides() const {
+        return {index(1, 0, 0), index(0, 1, 0), index(0, 0, 1)};
     }
     Vec3f middle(std::size_t cell) const;
     /// The cube in which a place lies, or the one nearest to it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
+#include "core/smooth_step.h"
 
 #include <kushi/shade.h>
 
@@ -100,11 +101,6 @@ private:
     std::vector<Root> roots_;
 };
 
-double smoothstep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
-
 }  // namespace
 
 std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands,
@@ -123,7 +119,7 @@ std::vector<Rgb> scalpTint(const Mesh& head, const Strands& strands,
             if (length(above - vertex) > mostBelow) continue;
             const Growth growth = roots.about(above);
             const auto share =
-                static_cast<float>(most * smoothstep(0.2, 0.8, growth.density / usual));
+                static_cast<float>(most * smoothStep(0.2, 0.8, growth.density / usual));
             albedo[i] = (1 - share) * skin + (share * depth) * growth.color;
         }
     });

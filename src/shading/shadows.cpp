@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/lanes.h"
+#include "core/float4.h"
 #include "core/parallel.h"
+#include "geometry/axes.h"
 #include "shading/crossings.h"
 #include "shading/depth_map.h"
 
@@ -69,7 +70,7 @@ struct Shadows::Fields {
     HairGrid grid;
     std::vector<FarLight> distant, sky;
     std::size_t stride = ofSky;
-    std::vector<Lanes> cubes;
+    std::vector<Float4> cubes;
 };
 
 Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, int threads) {
@@ -104,7 +105,7 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
                 for (std::size_t k = 0; k < 3; ++k)
                     sides[parts[k] < 0 ? 1 : 0][k].add(std::abs(parts[k]), lit, passing);
             }
-            Lanes* const cube = &fields->cubes[i * fields->stride];
+            Float4* const cube = &fields->cubes[i * fields->stride];
             for (std::size_t side = 0; side < 2; ++side) {
                 for (std::size_t k = 0; k < 3; ++k) {
                     const Passage passage = sides[side][k].passage();
@@ -136,35 +137,34 @@ Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) co
 
     const GridPlace found = placeIn(fields.grid, place);
     const auto between = [&](std::size_t vector) {
-        Lanes sum{};
+        Float4 sum{};
         for (std::size_t i = 0; i < found.cubes.size(); ++i)
             sum += found.weights[i] * fields.cubes[found.cubes[i] * fields.stride + vector];
         return sum;
     };
     for (std::size_t i = 0; i < distant.size(); i += 4) {
-        const Lanes crossings = between(Fields::ofSky + i / 4);
+        const Float4 crossings = between(Fields::ofSky + i / 4);
         for (std::size_t j = i; j < std::min(i + 4, distant.size()); ++j)
             distant[j].crossings = crossings[j - i];
     }
     // Between the sides by the squares of the direction's parts, which add up to 1.
-    const Lanes parts = {side.x, side.y, side.z, 0};
-    const Lanes shares = parts * parts;
-    const auto sum = [&](Lanes values) {
+    const Float4 parts = {side.x, side.y, side.z, 0};
+    const Float4 shares = parts * parts;
+    const auto sum = [&](Float4 values) {
         values *= shares;
         return values[0] + values[1] + values[2];
     };
-    const Lanes freeAbove = between(0);
-    const Lanes freeBelow = between(1);
-    const Lanes above = between(2);
-    const Lanes below = between(3);
-    const Lanes none{};
+    const Float4 freeAbove = between(0);
+    const Float4 freeBelow = between(1);
+    const Float4 above = between(2);
+    const Float4 below = between(3);
+    const Float4 none{};
     return {{sum(parts < none ? freeBelow : freeAbove), sum(parts < none ? below : above)},
             {sum(parts < none ? freeAbove : freeBelow), sum(parts < none ? above : below)}};
 }
 
 float Shadows::onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const {
-    const Vec3f aside = std::abs(normal.y) < 0.9F ? Vec3f{0, 1, 0} : Vec3f{1, 0, 0};
-    const Vec3f right = penumbra * normalized(cross(aside, normal));
+    const Vec3f right = -penumbra * anyNormal(normal);
     const Vec3f up = cross(normal, right);
     std::vector<Passage> passages(distant.size());
     std::ranges::fill(distant, 0.0F);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shading/fibre_model.h"
-#include "trace/axes.h"
+#include "trace/brightness.h"
 #include "trace/fast_math.h"
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/axes.h"
 #include "trace/hair_band.h"
 #include "trace/ray_scene.h"
 #include "trace/sampler.h"

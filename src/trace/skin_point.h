@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/axes.h"
 #include "trace/hair_point.h"
 
 #include <numbers>

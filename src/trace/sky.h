@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "trace/axes.h"
+#include "geometry/axes.h"
+#include "trace/brightness.h"
 #include "trace/sampler.h"
 
 #include <kushi/shade.h>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <kushi/color.h>
 #include <kushi/vec.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace kushi {
@@ -23,14 +21,5 @@ struct Axes {
     Vec3f toWorld(Vec3f v) const { return v.x * x + v.y * y + v.z * z; }
     Vec3f toLocal(Vec3f v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
 };
-
-/// As bright as it looks (Rec. 709).
-constexpr float luminance(Rgb color) {
-    return 0.2126F * color.r + 0.7152F * color.g + 0.0722F * color.b;
-}
-
-constexpr float brightest(Rgb color) {
-    return std::max(color.r, std::max(color.g, color.b));
-}
 
 }  // namespace kushi

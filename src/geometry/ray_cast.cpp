@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/ray_cast.h"
 
-#include <algorithm>
-#include <new>
+#include "geometry/embree_tree.h"
 
-#include <embree3/rtcore.h>
+#include <algorithm>
+#include <optional>
 
 namespace kushi {
 
@@ -12,41 +12,16 @@ namespace kushi {
 struct RayCaster::Scene {
     const Mesh& mesh;
     std::vector<std::uint32_t> triangles;
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    std::optional<EmbreeTree> tree;  // none without triangles
 
     explicit Scene(const Mesh& of) : mesh(of) {}
-    Scene(const Scene&) = delete;
-    Scene& operator=(const Scene&) = delete;
-    ~Scene() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-        if (device != nullptr) rtcReleaseDevice(device);
-    }
 
     void build() {
         // The narrowest registers, so that every processor finds the same; no threads of its own.
-        device = rtcNewDevice("isa=sse2,threads=1");
-        if (device == nullptr) throw std::bad_alloc();
-        scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* points = static_cast<Vec3f*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(Vec3f), mesh.vertices.size()));
-        auto* corners = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(std::uint32_t), triangles.size()));
-        if (points == nullptr || corners == nullptr) {
-            rtcReleaseGeometry(geometry);
-            throw std::bad_alloc();
-        }
-        std::ranges::copy(mesh.vertices, points);
-        for (const std::uint32_t i : triangles)
-            corners = std::ranges::copy(mesh.triangles[i], corners).out;
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
+        tree.emplace("isa=sse2,threads=1");
+        rtcSetSceneFlags(tree->scene(), RTC_SCENE_FLAG_ROBUST);
+        tree->addTriangles(mesh, triangles);
+        tree->build();
     }
 };
 
@@ -60,7 +35,7 @@ RayCaster::RayCaster(const Mesh& mesh, const std::vector<bool>& marked) {
 }
 
 std::optional<RayHit> RayCaster::first(Vec3d from, Vec3d to) const {
-    if (scene_->scene == nullptr) return std::nullopt;
+    if (!scene_->tree) return std::nullopt;
     const Vec3d way = to - from;
     RTCRayHit query = {};
     query.ray.org_x = static_cast<float>(from.x);
@@ -74,7 +49,7 @@ std::optional<RayHit> RayCaster::first(Vec3d from, Vec3d to) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(scene_->scene, &context, &query);
+    rtcIntersect1(scene_->tree->scene(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     // Embree says which triangle; where on it, more accurately, is the plane's business.

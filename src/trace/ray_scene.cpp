@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/ray_scene.h"
 
+#include "geometry/embree_tree.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <new>
-#include <utility>
 #include <vector>
-
-#include <embree3/rtcore.h>
 
 namespace kushi {
 
 namespace {
-
-/// Any call that Embree could not fulfil.
-void throwIfFailed(RTCDevice device) {
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
-}
 
 RTCRay rayOf(const Ray& ray) {
     RTCRay query = {};
@@ -68,71 +61,23 @@ std::vector<std::uint32_t> trianglesOf(const Mesh& head) {
 
 /// Embree's tree, and what its numbers stand for.
 struct RayScene::Tree {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    EmbreeTree embree{"set_affinity=0"};
     std::vector<std::uint32_t> segments, triangles;
     unsigned hair = RTC_INVALID_GEOMETRY_ID;  // Embree's number of the geometry
 
-    Tree() = default;
-    Tree(const Tree&) = delete;
-    Tree& operator=(const Tree&) = delete;
-    ~Tree() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-        if (device != nullptr) rtcReleaseDevice(device);
-    }
-
-    void start() {
-        device = rtcNewDevice("set_affinity=0");
-        if (device == nullptr) throw std::bad_alloc();
-        scene = rtcNewScene(device);
-    }
-
     void addHair(const Strands& strands, std::span<const float> diameters) {
-        if (segments.empty()) return;
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE);
-        auto* nodes = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                    4 * sizeof(float), strands.nodes.size()));
-        auto* starts = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
-                                    sizeof(std::uint32_t), segments.size()));
-        throwIfFailed(device);
+        RTCGeometry geometry = rtcNewGeometry(embree.device(), RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE);
+        using Node = std::array<float, 4>;
+        auto* const nodes = embree.room<Node>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
+                                              strands.nodes.size());
+        auto* const starts = embree.room<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX,
+                                                        RTC_FORMAT_UINT, segments.size());
         for (std::size_t i = 0; i < strands.nodes.size(); ++i) {
             const Vec3f node = strands.nodes[i];
-            nodes =
-                std::ranges::copy(std::array{node.x, node.y, node.z, diameters[i] / 2}, nodes).out;
+            nodes[i] = {node.x, node.y, node.z, diameters[i] / 2};
         }
         std::ranges::copy(segments, starts);
-        hair = attach(geometry);
-    }
-
-    void addHead(const Mesh& head) {
-        if (triangles.empty()) return;
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* points = static_cast<Vec3f*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(Vec3f), head.vertices.size()));
-        auto* corners = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(std::uint32_t), triangles.size()));
-        throwIfFailed(device);
-        std::ranges::copy(head.vertices, points);
-        for (const std::uint32_t i : triangles)
-            corners = std::ranges::copy(head.triangles[i], corners).out;
-        attach(geometry);
-    }
-
-    void finish() {
-        rtcCommitScene(scene);
-        throwIfFailed(device);
-    }
-
-private:
-    unsigned attach(RTCGeometry geometry) {
-        rtcCommitGeometry(geometry);
-        const unsigned number = rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        return number;
+        hair = embree.add(geometry);
     }
 };
 
@@ -140,10 +85,9 @@ RayScene::RayScene(const Strands& strands, std::span<const float> diameters, con
     const auto tree = std::make_shared<Tree>();
     tree->segments = segmentsOf(strands, diameters);
     tree->triangles = trianglesOf(head);
-    tree->start();
-    tree->addHair(strands, diameters);
-    tree->addHead(head);
-    tree->finish();
+    if (!tree->segments.empty()) tree->addHair(strands, diameters);
+    if (!tree->triangles.empty()) tree->embree.addTriangles(head, tree->triangles);
+    tree->embree.build();
     tree_ = tree;
 }
 
@@ -153,7 +97,7 @@ Meeting RayScene::first(const Ray& ray) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(tree_->scene, &context, &query);
+    rtcIntersect1(tree_->embree.scene(), &context, &query);
     const RTCHit& hit = query.hit;
     if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     if (hit.geomID == tree_->hair) {
@@ -166,7 +110,7 @@ bool RayScene::blocked(const Ray& ray) const {
     RTCRay query = rayOf(ray);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcOccluded1(tree_->scene, &context, &query);
+    rtcOccluded1(tree_->embree.scene(), &context, &query);
     return query.tfar < 0;
 }
 

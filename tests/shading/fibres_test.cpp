@@ -94,33 +94,78 @@ TEST(ShadeFibres, BlondShinesAgainstTheLightAndBlackGivesItBack) {
     EXPECT_GT(through.r, 1.1F * through.b);
 }
 
+/// A quarter of a circle from its top, a node each eighth of a degree, seen from the front.
+class Arch {
+public:
+    explicit Arch(std::uint64_t key) {
+        std::vector<Vec3f> nodes;
+        for (int i = 0; i <= last; ++i) {
+            const double angle = pi / 2 * i / last;
+            nodes.push_back(Vec3d{0.1 * std::sin(angle), 0.1 * std::cos(angle), 0}.as<float>());
+        }
+        arch_.add(nodes, key);
+        arch_.diameters.assign(nodes.size(), 1e-9F);
+    }
+
+    std::vector<Rgb> shaded(Rgb color, double tilt, float variation) const {
+        const Lights lights = oneLight({0.5F, 0.866F, 0});
+        const Shadows shadows(arch_, {}, lights);
+        std::vector<Rgb> colors(arch_.nodes.size());
+        const Fibre fibre = {.longitudinal = 0.1, .tilt = radians(tilt)};
+        shade(arch_, lights, shadows, {.color = color, .fibre = fibre, .tiltVariation = variation},
+              {100, 0, 0}, colors, 1);
+        return colors;
+    }
+
+    /// Degrees from the top.
+    static double brightest(const std::vector<Rgb>& colors) {
+        const auto most = std::ranges::max_element(colors, {}, &Rgb::r);
+        return 90.0 * static_cast<double>(most - colors.begin()) / last;
+    }
+
+private:
+    static constexpr int last = 720;
+
+    Strands arch_;
+};
+
 // R is deflected towards the root: seen from the side the highlight of an arch moves to the tip, by
 // the tilt of the scales.
 TEST(ShadeFibres, TheWhiteBandMovesTowardsTheTip) {
-    Strands arch;
-    std::vector<Vec3f> nodes;
-    for (int i = 0; i <= 720; ++i) {
-        const double angle = pi / 2 * i / 720;
-        nodes.push_back(Vec3d{0.1 * std::sin(angle), 0.1 * std::cos(angle), 0}.as<float>());
-    }
-    arch.add(nodes, 0);
-    arch.diameters.assign(nodes.size(), 1e-9F);
-    const Lights lights = oneLight({0.5F, 0.866F, 0});
-    const Shadows shadows(arch, {}, lights);
-    const auto brightest = [&](double tilt) {
-        std::vector<Rgb> colors(nodes.size());
-        shade(arch, lights, shadows,
-              {.color = black,
-               .fibre = {.longitudinal = 0.1, .tilt = radians(tilt)},
-               .tiltVariation = 0},
-              {100, 0, 0}, colors, 1);
-        const auto most = std::ranges::max_element(colors, {}, &Rgb::g);
-        return 90.0 * static_cast<double>(most - colors.begin()) / 720;
-    };
-    const double straight = brightest(0);
+    const Arch arch(0);
+    const auto band = [&](double tilt) { return Arch::brightest(arch.shaded(black, tilt, 0)); };
+    const double straight = band(0);
     EXPECT_NEAR(straight, 60, 1);
-    EXPECT_NEAR(brightest(2) - straight, 2, 0.5);
-    EXPECT_NEAR(brightest(4) - straight, 4, 0.7);
+    EXPECT_NEAR(band(2) - straight, 2, 0.5);
+    EXPECT_NEAR(band(4) - straight, 4, 0.7);
+}
+
+// Each strand has a tilt of its own; where its white band moves to the tip, its coloured one moves
+// to the root.
+TEST(ShadeFibres, BandsDifferFromStrandToStrand) {
+    constexpr float variation = 0.05F;
+    double least = 0;
+    double most = 0;
+    for (std::uint64_t key = 0; key < 12; ++key) {
+        const Arch arch(key);
+        const auto coloured = [&](float varied) {
+            std::vector<Rgb> light = arch.shaded(blond, 2, varied);
+            const std::vector<Rgb> dark = arch.shaded(black, 2, varied);
+            for (std::size_t i = 0; i < light.size(); ++i)
+                light[i] += -1.0F * dark[i];
+            return Arch::brightest(light);
+        };
+        const double moved = Arch::brightest(arch.shaded(black, 2, variation)) -
+                             Arch::brightest(arch.shaded(black, 2, 0));
+        EXPECT_LE(std::abs(moved), degrees(static_cast<double>(variation)) + 0.5);
+        if (std::abs(moved) > 0.5) {
+            EXPECT_LT(moved * (coloured(variation) - coloured(0)), 0) << key;
+        }
+        least = std::min(least, moved);
+        most = std::max(most, moved);
+    }
+    EXPECT_LT(least, -1);
+    EXPECT_GT(most, 1);
 }
 
 TEST(ShadeFibres, HairBehindHairIsDarkerAndWarmer) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double shortestStep = 2e-4;  // along a segment that grazes a surface [m]
 constexpr double rise = 1.0 / 3;       // of a strand that comes out of its root, by its way
 constexpr int attempts = 12;
+constexpr double same = 1e-6;  // ways whose lack differs by less are as good as each other [m]
 
 // How much nearer than wanted a segment is, where that is most; < 0: it is free.
 struct Want {
@@ -89,7 +90,7 @@ private:
                     size * (std::cos(angle) * along +
                             std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v));
                 const Want found = look(from, next, walked);
-                if (found.lack >= least.lack) continue;
+                if (found.lack >= least.lack - same) continue;
                 least = found;
                 best = next;
             }

@@ -59,8 +59,8 @@ length = 16
 )";
 }
 
-// The block, its style, and a groom of two strands of 16 cm, one of them through it, nowhere as
-// near to one face as to another.
+// The block, its style, and a groom of two strands of 16 cm, one of them through it, aslant and
+// nowhere as near to one face as to another.
 std::string folderWithBlock() {
     const std::string folder = freshFolder();
     writeText(folder + "/block.obj", block);
@@ -70,7 +70,8 @@ std::string folderWithBlock() {
     for (const float y : {0.0F, 0.2F}) {
         nodes.clear();
         for (int j = 0; j <= 16; ++j)
-            nodes.push_back({-0.078F + 0.01F * static_cast<float>(j), y, 0.013F});
+            nodes.push_back(Vec3f{-0.078F, y, 0.013F} +
+                            static_cast<float>(j) * Vec3f{0.0099F, 0, 0.00141F});
         groom.add(nodes, 0);
     }
     groom.keys.clear();

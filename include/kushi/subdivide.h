@@ -17,6 +17,6 @@ namespace kushi {
 ///          degrees, a quarter of its half-width at n = 80)
 /// threads  0: as many as the machine has
 /// returns  the strands as they are if there would be more nodes than offsets can count
-Strands subdivided(const Strands& strands, double maxTurn, int threads = 0);
+Strands subdivided(Strands strands, double maxTurn, int threads = 0);
 
 }  // namespace kushi

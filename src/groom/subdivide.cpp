@@ -83,8 +83,48 @@ private:
     std::span<const Vec3f> nodes_;
 };
 
-std::uint32_t partsOf(double turn, double maxTurn) {
-    return static_cast<std::uint32_t>(std::clamp(std::ceil(turn / maxTurn), 1.0, mostParts));
+std::uint8_t partsOf(double turn, double maxTurn) {
+    return static_cast<std::uint8_t>(std::clamp(std::ceil(turn / maxTurn), 1.0, mostParts));
+}
+
+/// Whether the tangent turns by less than maxTurn along a segment whose neighbours turn from it as
+/// these two do; told without angles, for most segments.
+class Straightness {
+public:
+    /// At a node it turns by no more than from segment to segment, and by half of that where those
+    /// are as long as each other.
+    explicit Straightness(double maxTurn)
+        : unlike_(squareOfCosine(maxTurn / 2)), alike_(squareOfCosine(0.9 * maxTurn)) {}
+
+    bool between(Vec3f one, Vec3f next) const {
+        const float ones = dot(one, one);
+        const float nexts = dot(next, next);
+        const float cosine = dot(one, next);
+        const bool alike = std::max(ones, nexts) < 1.4F * std::min(ones, nexts);
+        // Also false for what is no number.
+        return cosine > 0 && cosine * cosine > (alike ? alike_ : unlike_) * ones * nexts;
+    }
+
+private:
+    static float squareOfCosine(double angle) {
+        const double cosine = std::cos(std::min(angle, 1.5)) + 1e-6;
+        return static_cast<float>(cosine * cosine);
+    }
+    float unlike_, alike_;
+};
+
+/// Parts of each segment of a strand, by its first node.
+void findParts(std::span<const Vec3f> nodes, double maxTurn, std::span<std::uint8_t> parts) {
+    const Curve curve(nodes);
+    const Straightness straightness(maxTurn);
+    bool straightBefore = true;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const bool straightAfter =
+            i + 2 == nodes.size() ||
+            straightness.between(nodes[i + 1] - nodes[i], nodes[i + 2] - nodes[i + 1]);
+        if (!straightBefore || !straightAfter) parts[i] = partsOf(curve.turn(i), maxTurn);
+        straightBefore = straightAfter;
+    }
 }
 
 float mixed(float a, float b, float share) {
@@ -114,17 +154,14 @@ std::vector<T> spread(const std::vector<T>& values, const Strands& from, const S
 
 }  // namespace
 
-Strands subdivided(const Strands& strands, double maxTurn, int threads) {
+Strands subdivided(Strands strands, double maxTurn, int threads) {
     // Parts of the segment after each node; 1 after a strand's last.
     std::vector<std::uint8_t> parts(strands.nodes.size(), 1);
     parallelFor(strands.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t strand = begin; strand < end; ++strand) {
-            const Curve curve(strands.strand(strand));
-            for (std::uint32_t node = strands.offsets[strand];
-                 node + 1 < strands.offsets[strand + 1]; ++node) {
-                const double turn = curve.turn(node - strands.offsets[strand]);
-                parts[node] = static_cast<std::uint8_t>(partsOf(turn, maxTurn));
-            }
+            const std::span<const Vec3f> nodes = strands.strand(strand);
+            findParts(nodes, maxTurn,
+                      std::span(parts).subspan(strands.offsets[strand], nodes.size()));
         }
     });
 
@@ -139,6 +176,7 @@ Strands subdivided(const Strands& strands, double maxTurn, int threads) {
         if (count > 0xffffffffU) return strands;
         finer.offsets.push_back(static_cast<std::uint32_t>(count));
     }
+    if (count == strands.nodes.size()) return strands;
     finer.nodes.resize(count);
     parallelFor(strands.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t strand = begin; strand < end; ++strand) {

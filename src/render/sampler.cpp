@@ -13,7 +13,8 @@ void Sampler::drawTriangles(const TileItems& items) {
         const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
         if (polygon.size > 0) order_.add(static_cast<std::uint32_t>(i), polygon.nearest());
     }
-    nearFirst([&](std::uint32_t i, bool mayBeHidden) {
+    const auto ask = [](std::uint32_t) {};
+    nearFirst(ask, [&](std::uint32_t i, bool mayBeHidden) {
         const ScreenPolygon polygon = scene_.triangle(items.triangles[i]);
         if (mayBeHidden && horizon_.hides(polygon)) return;
         drawPolygon(samples_, polygon, scene_.projection(), Palette::triangleId(items, i));
@@ -31,7 +32,8 @@ void Sampler::drawSegments(const TileItems& items) {
         if (!box || horizon_.hides(*box)) continue;
         order_.add(static_cast<std::uint32_t>(i), box->nearest);
     }
-    nearFirst([&](std::uint32_t i, bool mayBeHidden) {
+    const auto ask = [&](std::uint32_t i) { scene_.prefetch(items.segments[i]); };
+    nearFirst(ask, [&](std::uint32_t i, bool mayBeHidden) {
         const std::uint32_t node = items.segments[i];
         if (mayBeHidden && horizon_.hides(*scene_.box(node))) return;
         drawSegment(samples_, scene_, node, *scene_.segment(node), grid_, Palette::segmentId(i));
@@ -40,15 +42,21 @@ void Sampler::drawSegments(const TileItems& items) {
 
 /// Draws what is in order_, and takes another look at the horizon between its groups if there is so
 /// much that this may save more than it costs.
-template <class DrawThing>
-void Sampler::nearFirst(const DrawThing& drawThing) {
+///
+/// ask  the memory for a thing that will be drawn soon
+template <class Ask, class DrawThing>
+void Sampler::nearFirst(const Ask& ask, const DrawThing& drawThing) {
     order_.sort();
     const bool looks = order_.size() > 100;
     for (std::size_t i = 0; i < NearFirst::groups; ++i) {
         const bool mayBeHidden = i > 0 && looks;
         if (mayBeHidden) horizon_.look(samples_, scene_.projection());
-        for (const std::uint32_t thing : order_.group(i))
-            drawThing(thing, mayBeHidden);
+        constexpr std::size_t ahead = 16;
+        const std::span<const std::uint32_t> group = order_.group(i);
+        for (std::size_t j = 0; j < group.size(); ++j) {
+            if (j + ahead < group.size()) ask(group[j + ahead]);
+            drawThing(group[j], mayBeHidden);
+        }
     }
 }
 

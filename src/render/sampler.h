@@ -24,8 +24,8 @@ public:
     const SampleTile& samples() const { return samples_; }
 
 private:
-    template <class DrawThing>
-    void nearFirst(const DrawThing& drawThing);
+    template <class Ask, class DrawThing>
+    void nearFirst(const Ask& ask, const DrawThing& drawThing);
 
     const Scene& scene_;
     const TileGrid& grid_;

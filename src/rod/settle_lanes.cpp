@@ -2,7 +2,7 @@
 //
 // Compiled for every instruction set that the compiler knows; the processor's best is chosen when
 // the program runs.
-#include "rod/lane_targets.h"
+#include "core/lane_targets.h"
 #include "rod/strand_batch.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -3,7 +3,7 @@
 // Usami & Anjyo's walk (cantilever.cpp) on strands side by side. Avoidance takes one turn or
 // another, so that the last digit of a number may show: only operations that IEEE rounds alike are
 // used, so that every processor gives the same bytes.
-#include "rod/lane_targets.h"
+#include "core/lane_targets.h"
 #include "rod/walk_batch.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -8,7 +8,7 @@
 #define KUSHI_ROD_MATRIX_INL_H
 #endif
 
-#include "rod/kernel/lanes-inl.h"
+#include "core/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {

@@ -4,11 +4,11 @@
 // register of the processor holds, a strand in each. The kernels are written once, for both.
 //
 // Compiled once for every instruction set (Highway's foreach_target.h), so no include guard.
-#if defined(KUSHI_ROD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef KUSHI_ROD_LANES_INL_H
-#undef KUSHI_ROD_LANES_INL_H
+#if defined(KUSHI_CORE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KUSHI_CORE_LANES_INL_H
+#undef KUSHI_CORE_LANES_INL_H
 #else
-#define KUSHI_ROD_LANES_INL_H
+#define KUSHI_CORE_LANES_INL_H
 #endif
 
 #include <cmath>

@@ -76,36 +76,20 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     return scene;
 }
 
-// A colour for each node, and for each of the head's vertices in it.
-std::vector<Rgb> naturalColors(Scene& scene, Vec3f eye, int threads, StageClock& clock) {
+// Colours of the hair's nodes, and of the head's vertices in it.
+NodeColors lit(Scene& scene, Look look, Vec3f eye, int threads, StageClock& clock) {
+    if (look == Look::Paper) {
+        const Lights lights = studioLights();
+        scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
+        return nodeColors(scene.strands, lights, HairLook{.body = scene.body}, eye);
+    }
     const Lights lights = portraitLights();
     if (!scene.shadows) {
         scene.shadows.emplace(scene.strands, scene.head, lights, threads);
         scene.head.colors = shadeMatt(scene.head, lights, scene.skin, *scene.shadows);
         clock.end("shadows");
     }
-    std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, *scene.shadows, FibreLook(), eye, colors, threads);
-    return colors;
-}
-
-std::vector<Rgb> paperColors(Scene& scene, Vec3f eye, int threads) {
-    const Lights lights = studioLights();
-    HairLook look;
-    look.body = scene.body;
-    std::vector<Rgb> colors(scene.strands.nodes.size());
-    shade(scene.strands, lights, look, eye, colors, threads);
-    scene.head.colors = shadeMatt(scene.head, lights, scene.skin);
-    return colors;
-}
-
-std::vector<Rgb> shadeScene(Scene& scene, const Camera& camera, const DrawOptions& options,
-                            Look look, StageClock& clock) {
-    std::vector<Rgb> colors = look == Look::Natural
-                                  ? naturalColors(scene, camera.eye, options.threads, clock)
-                                  : paperColors(scene, camera.eye, options.threads);
-    clock.end("shade");
-    return colors;
+    return nodeColors(scene.strands, lights, *scene.shadows, FibreLook(), eye);
 }
 
 }  // namespace
@@ -146,13 +130,13 @@ void prepare(Scene& scene, Look look, int threads, StageClock& clock) {
     if (look != Look::Natural) return;
     for (float& diameter : scene.strands.diameters)
         diameter *= scene.widened;
-    scene.strands = subdivided(scene.strands, mostTurn, threads);
+    scene.strands = subdivided(std::move(scene.strands), mostTurn, threads);
     clock.end("smooth");
 }
 
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock) {
-    const std::vector<Rgb> colors = shadeScene(scene, camera, options, look, clock);
+    const NodeColors colors = lit(scene, look, camera.eye, options.threads, clock);
     const bool natural = look == Look::Natural;
     options.background = natural ? backdrop : DrawOptions().background;
     Image image = draw(scene.strands, colors, scene.head, camera, options);
@@ -163,7 +147,7 @@ Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look lo
 
 LayeredImage drawSceneLayers(Scene& scene, const Camera& camera, const DrawOptions& options,
                              Look look, const Layers& wanted, StageClock& clock) {
-    const std::vector<Rgb> colors = shadeScene(scene, camera, options, look, clock);
+    const NodeColors colors = lit(scene, look, camera.eye, options.threads, clock);
     LayeredImage image = drawLayers(scene.strands, colors, scene.head, camera, options, wanted);
     clock.end("draw");
     return image;

@@ -47,7 +47,7 @@ Look lookNamed(const std::string& name);
 void prepare(Scene& scene, Look look, int threads, StageClock& clock);
 
 /// The picture; `options` but for the background, which is the look's. Stages `shadows`, of the
-/// first in the natural look, `shade` and `draw`.
+/// first in the natural look, and `draw`, in which what shows is shaded.
 Image drawScene(Scene& scene, const Camera& camera, DrawOptions options, Look look,
                 StageClock& clock);
 

@@ -5,6 +5,7 @@
 #include <kushi/image.h>
 #include <kushi/layered_image.h>
 #include <kushi/mesh.h>
+#include <kushi/node_colors.h>
 #include <kushi/strands.h>
 
 #include <cstddef>
@@ -53,6 +54,10 @@ struct DrawOptions {
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options);
 
+/// The same with colours made tile by tile, for the nodes that the picture turns out to show.
+Image draw(const Strands& strands, const NodeColors& colors, const Mesh& head, const Camera& camera,
+           const DrawOptions& options);
+
 /// Which layers to make.
 struct Layers {
     bool depth = false, tangent = false, strand = false, mask = false;
@@ -63,6 +68,8 @@ struct Layers {
 ///
 /// Parameters as for draw(); options.background does not count.
 LayeredImage drawLayers(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
+                        const Camera& camera, const DrawOptions& options, const Layers& wanted);
+LayeredImage drawLayers(const Strands& strands, const NodeColors& colors, const Mesh& head,
                         const Camera& camera, const DrawOptions& options, const Layers& wanted);
 
 /// How much of a surface hair leaves to be seen, in samples of the picture.

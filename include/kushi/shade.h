@@ -5,6 +5,7 @@
 #include <kushi/ellipsoid.h>
 #include <kushi/fibre.h>
 #include <kushi/mesh.h>
+#include <kushi/node_colors.h>
 #include <kushi/strands.h>
 
 #include <optional>
@@ -68,6 +69,10 @@ struct HairLook {
 void shade(const Strands& strands, const Lights& lights, const HairLook& look, Vec3f eye,
            std::span<Rgb> colors, int threads = 0);
 
+/// The same for those nodes that are asked for. The strands must outlive it.
+NodeColors nodeColors(const Strands& strands, const Lights& lights, const HairLook& look,
+                      Vec3f eye);
+
 /// Hair as fibres of tinted glass, in the light that other hair leaves them and passes on.
 struct FibreLook {
     Rgb color = {0.11F, 0.057F, 0.034F};  ///< of a whole head of such hair; of strands without own
@@ -91,6 +96,10 @@ struct FibreLook {
 /// threads  0: as many as the machine has; the same colours from any number
 void shade(const Strands& strands, const Lights& lights, const Shadows& shadows,
            const FibreLook& look, Vec3f eye, std::span<Rgb> colors, int threads = 0);
+
+/// The same for those nodes that are asked for. Strands and shadows must outlive it.
+NodeColors nodeColors(const Strands& strands, const Lights& lights, const Shadows& shadows,
+                      const FibreLook& look, Vec3f eye);
 
 /// One linear colour per vertex of a matt mesh: albedo (ambient + sum of light max(0, N.L)).
 std::vector<Rgb> shadeMatt(const Mesh& mesh, const Lights& lights, Rgb albedo);

@@ -7,7 +7,6 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace kushi {
 
@@ -37,7 +36,7 @@ public:
     struct Sky {
         Passage here, beyond;
     };
-    /// What comes to a place.
+    /// What comes to a place. Farther than two cubes from any hair the sky counts as open.
     ///
     /// side     unit
     /// distant  one for each of the distant lights; overwritten
@@ -50,10 +49,6 @@ public:
     /// distant  one for each of the distant lights; overwritten
     /// returns  of the light from everywhere
     float onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const;
-
-    /// Fibres between each of the nodes and an eye, roughly: as if it looked along the same
-    /// direction at all of them, and without what lies within two cubes.
-    std::vector<float> crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye, int threads) const;
 
 private:
     struct Fields;

@@ -39,6 +39,8 @@ struct Strands {
     std::span<Vec3f> strand(std::size_t i) {
         return std::span(nodes).subspan(offsets[i], offsets[i + 1] - offsets[i]);
     }
+    /// The strand that has a node; one of them must.
+    std::size_t strandOf(std::uint32_t node) const;
     /// Adds a strand without attributes.
     void add(std::span<const Vec3f> strandNodes, std::uint64_t key);
 };

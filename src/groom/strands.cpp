@@ -5,6 +5,11 @@
 
 namespace kushi {
 
+std::size_t Strands::strandOf(std::uint32_t node) const {
+    const auto next = std::upper_bound(offsets.begin(), offsets.end(), node);
+    return static_cast<std::size_t>(next - offsets.begin()) - 1;
+}
+
 void Strands::add(std::span<const Vec3f> strandNodes, std::uint64_t key) {
     nodes.insert(nodes.end(), strandNodes.begin(), strandNodes.end());
     offsets.push_back(static_cast<std::uint32_t>(nodes.size()));

@@ -10,9 +10,14 @@
 
 namespace kushi {
 
-AnalyticPainter::AnalyticPainter(const Scene& scene, const TileGrid& grid,
-                                 std::span<const Rgb> colors, const DrawOptions& options,
-                                 Image& image, LayeredImage* layers)
+namespace {
+
+constexpr std::size_t together = 2048;  // segments whose colours are asked for at a time
+
+}  // namespace
+
+AnalyticPainter::AnalyticPainter(const Scene& scene, const TileGrid& grid, const NodeColors& colors,
+                                 const DrawOptions& options, Image& image, LayeredImage* layers)
     : scene_(scene),
       colors_(colors),
       supersample_(options.supersample),
@@ -40,10 +45,9 @@ void AnalyticPainter::operator()(const TileItems& items) {
     horizon_.look(sampler_.samples(), scene_.projection());
     blend_.clear();
     findOrder(items);
-    for (const std::uint64_t thing : order_) {
-        const auto node = static_cast<std::uint32_t>(thing);
-        drawSegment(node, *scene_.segment(node));
-    }
+    const std::span<const std::uint64_t> order = order_;
+    for (std::size_t i = 0; i < order.size(); i += together)
+        drawGroup(order.subspan(i, std::min(together, order.size() - i)));
     blendInto(items.x / supersample_, items.y / supersample_);
 }
 
@@ -62,29 +66,51 @@ void AnalyticPainter::findOrder(const TileItems& items) {
     std::sort(order_.begin(), order_.end());
 }
 
-void AnalyticPainter::drawSegment(std::uint32_t node, const ScreenSegment& segment) {
+void AnalyticPainter::drawGroup(std::span<const std::uint64_t> group) {
+    seen_.clear();
+    for (const std::uint64_t thing : group) {
+        const auto node = static_cast<std::uint32_t>(thing);
+        if (mayBeSeen(*scene_.segment(node))) seen_.push_back(node);
+    }
+    std::sort(seen_.begin(), seen_.end());
+    ends_.ask(colors_, seen_);
+    for (const std::uint64_t thing : group) {
+        const auto node = static_cast<std::uint32_t>(thing);
+        const auto place = std::lower_bound(seen_.begin(), seen_.end(), node);
+        if (place == seen_.end() || *place != node) continue;
+        drawSegment(node, *scene_.segment(node),
+                    ends_[static_cast<std::size_t>(place - seen_.begin())]);
+    }
+}
+
+PixelPoint AnalyticPainter::onPixels(const ScreenPoint& point) const {
     const SampleTile& samples = sampler_.samples();
     const double perSample = 1.0 / supersample_;
-    const auto onPixels = [&](const ScreenPoint& p) {
-        return PixelPoint{(p.x - samples.x()) * perSample, (p.y - samples.y()) * perSample};
-    };
+    return {(point.x - samples.x()) * perSample, (point.y - samples.y()) * perSample};
+}
+
+bool AnalyticPainter::mayBeSeen(const ScreenSegment& segment) const {
     const PixelPoint a = onPixels(segment.a);
     const PixelPoint b = onPixels(segment.b);
-    const double margin = segment.margin() * perSample;
-    if (!blend_.anyOpen(std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin,
-                        std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin)) {
-        return;
-    }
+    const double margin = segment.margin() / supersample_;
+    return blend_.anyOpen(std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin,
+                          std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin);
+}
 
+void AnalyticPainter::drawSegment(std::uint32_t node, const ScreenSegment& segment,
+                                  const EndColors::Ends& ends) {
+    if (!mayBeSeen(segment)) return;
     const ScreenPolygon ribbon = ribbonOf(scene_, node, segment);
     if (ribbon.size != 4) return;
     std::array<PixelPoint, 4> corners;
     for (std::size_t i = 0; i < 4; ++i)
         corners[i] = onPixels(ribbon.corners[i].at);
 
+    const PixelPoint a = onPixels(segment.a);
+    const PixelPoint b = onPixels(segment.b);
     // Colour by distance and 1 / distance at both ends; how far along each pixel's centre lies.
     const auto paintAt = [&](const ScreenPoint& at, double share) {
-        return scaled(mixed(colors_[node], colors_[node + 1], share), at.q);
+        return scaled(mixed(ends.first, ends.last, share), at.q);
     };
     const Float4 atA = paintAt(segment.a, segment.from);
     const Float4 change = paintAt(segment.b, segment.to) - atA;

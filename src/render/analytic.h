@@ -3,6 +3,7 @@
 
 #include "render/area.h"
 #include "render/blend.h"
+#include "render/end_colors.h"
 #include "render/palette.h"
 #include "render/resolve_layers.h"
 #include "render/sampler.h"
@@ -10,7 +11,9 @@
 
 #include <kushi/image.h>
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace kushi {
@@ -19,18 +22,23 @@ namespace kushi {
 /// samples, before it the strands by the area of each pixel that they cover, from near to far.
 class AnalyticPainter {
 public:
-    AnalyticPainter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
+    AnalyticPainter(const Scene& scene, const TileGrid& grid, const NodeColors& colors,
                     const DrawOptions& options, Image& image, LayeredImage* layers);
 
     void operator()(const TileItems& items);
 
 private:
     void findOrder(const TileItems& items);
-    void drawSegment(std::uint32_t node, const ScreenSegment& segment);
+    /// Some segments of the order, one after the other.
+    void drawGroup(std::span<const std::uint64_t> group);
+    void drawSegment(std::uint32_t node, const ScreenSegment& segment, const EndColors::Ends& ends);
+    /// Whether what lies before it leaves any of it to be seen.
+    bool mayBeSeen(const ScreenSegment& segment) const;
+    PixelPoint onPixels(const ScreenPoint& point) const;
     void blendInto(int left, int top);
 
     const Scene& scene_;
-    std::span<const Rgb> colors_;
+    const NodeColors& colors_;
     int supersample_;
     Image& image_;
     LayeredImage* layers_;  // alpha and mask; or null
@@ -42,6 +50,8 @@ private:
     AreaCoverage area_;
     Blend blend_;
     std::vector<std::uint64_t> order_;  // the nearest first: depth over node
+    std::vector<std::uint32_t> seen_;   // nodes of a group's segments that may be seen, ascending
+    EndColors ends_;                    // theirs
 };
 
 }  // namespace kushi

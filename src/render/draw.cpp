@@ -18,7 +18,7 @@ namespace {
 /// Draws one tile after the other into its part of the image, by samples.
 class SamplePainter {
 public:
-    SamplePainter(const Scene& scene, const TileGrid& grid, std::span<const Rgb> colors,
+    SamplePainter(const Scene& scene, const TileGrid& grid, const NodeColors& colors,
                   const DrawOptions& options, Image& image, LayeredImage* layers)
         : supersample_(options.supersample),
           image_(image),
@@ -45,16 +45,22 @@ private:
     std::optional<LayerResolver> layers_;
 };
 
-bool canDraw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
-             const DrawOptions& options) {
+bool canDraw(const Strands& strands, const Mesh& head, const DrawOptions& options) {
     const bool headFits = head.colors.empty() || head.colors.size() == head.vertices.size();
-    return drawable(strands, options) && colors.size() == strands.nodes.size() && headFits;
+    return drawable(strands, options) && headFits;
+}
+
+/// Of colours that are there already.
+NodeColors from(std::span<const Rgb> known) {
+    return [known](std::span<const std::uint32_t> nodes, std::span<Rgb> colors) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            colors[i] = known[nodes[i]];
+    };
 }
 
 /// layers  to be filled beside the image, or null
-void drawInto(Image& image, LayeredImage* layers, const Strands& strands,
-              std::span<const Rgb> colors, const Mesh& head, const Camera& camera,
-              const DrawOptions& options) {
+void drawInto(Image& image, LayeredImage* layers, const Strands& strands, const NodeColors& colors,
+              const Mesh& head, const Camera& camera, const DrawOptions& options) {
     const TileGrid grid = gridOf(options);
     image = {.width = options.width, .height = options.height, .pixels = {}};
     image.pixels.assign(
@@ -85,16 +91,28 @@ void makeRoom(LayeredImage& layers, const DrawOptions& options, const Layers& wa
 
 Image draw(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
            const Camera& camera, const DrawOptions& options) {
+    if (colors.size() != strands.nodes.size()) return {};
+    return draw(strands, from(colors), head, camera, options);
+}
+
+Image draw(const Strands& strands, const NodeColors& colors, const Mesh& head, const Camera& camera,
+           const DrawOptions& options) {
     Image image;
-    if (canDraw(strands, colors, head, options))
+    if (canDraw(strands, head, options))
         drawInto(image, nullptr, strands, colors, head, camera, options);
     return image;
 }
 
 LayeredImage drawLayers(const Strands& strands, std::span<const Rgb> colors, const Mesh& head,
                         const Camera& camera, const DrawOptions& options, const Layers& wanted) {
+    if (colors.size() != strands.nodes.size()) return {};
+    return drawLayers(strands, from(colors), head, camera, options, wanted);
+}
+
+LayeredImage drawLayers(const Strands& strands, const NodeColors& colors, const Mesh& head,
+                        const Camera& camera, const DrawOptions& options, const Layers& wanted) {
     LayeredImage layers;
-    if (!canDraw(strands, colors, head, options)) return layers;
+    if (!canDraw(strands, head, options)) return layers;
     DrawOptions bare = options;
     bare.background = {0, 0, 0};
     if (options.stroke != Stroke::Analytic) {

@@ -18,13 +18,18 @@ void Palette::mixFor(const SampleTile& samples) {
     for (const SampleTile::Key key : samples.all())
         shown_[SampleTile::id(key)] = 1;
     const std::size_t segments = items_.segments.size();
+    segments_.clear();
     for (std::size_t i = 0; i < segments; ++i) {
-        constexpr std::size_t ahead = 16;
-        if (i + ahead < segments && shown_[i + ahead + 1] != 0) {
-            scene_.prefetch(items_.segments[i + ahead]);
-            __builtin_prefetch(&colors_[items_.segments[i + ahead]]);
-        }
-        if (shown_[i + 1] != 0) paints_[i + 1] = segmentPaint(items_.segments[i]);
+        if (shown_[i + 1] != 0) segments_.push_back(items_.segments[i]);
+    }
+    ends_.ask(colors_, segments_);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < segments; ++i) {
+        if (shown_[i + 1] == 0) continue;
+        constexpr std::size_t ahead = 8;
+        if (next + ahead < segments_.size()) scene_.prefetch(segments_[next + ahead]);
+        paints_[i + 1] = segmentPaint(segments_[next], ends_[next]);
+        ++next;
     }
     for (std::size_t i = 0; i < items_.triangles.size(); ++i) {
         const std::size_t id = segments + i + 1;
@@ -32,10 +37,10 @@ void Palette::mixFor(const SampleTile& samples) {
     }
 }
 
-Paint Palette::segmentPaint(std::uint32_t node) const {
+Paint Palette::segmentPaint(std::uint32_t node, const EndColors::Ends& ends) const {
     const std::optional<ScreenSegment> segment = scene_.segment(node);
     if (!segment) return {};  // nor has it been drawn
-    return paintOf(*segment, colors_[node], colors_[node + 1], items_.x, items_.y);
+    return paintOf(*segment, ends.first, ends.last, items_.x, items_.y);
 }
 
 Paint Palette::trianglePaint(std::uint32_t index) const {

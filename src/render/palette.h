@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "render/end_colors.h"
 #include "render/paint.h"
 #include "render/tile.h"
 #include "render/tiles.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace kushi {
@@ -16,7 +16,7 @@ namespace kushi {
 /// as most things are hidden by others.
 class Palette {
 public:
-    Palette(const Scene& scene, std::span<const Rgb> colors, Rgb background)
+    Palette(const Scene& scene, const NodeColors& colors, Rgb background)
         : scene_(scene), colors_(colors), background_(paintOf(background)) {}
 
     static std::uint32_t segmentId(std::size_t index) {
@@ -36,15 +36,17 @@ public:
     const Paint& operator[](std::uint32_t id) const { return paints_[id]; }
 
 private:
-    Paint segmentPaint(std::uint32_t node) const;
+    Paint segmentPaint(std::uint32_t node, const EndColors::Ends& ends) const;
     Paint trianglePaint(std::uint32_t index) const;
 
     const Scene& scene_;
-    std::span<const Rgb> colors_;
+    const NodeColors& colors_;
     Paint background_;
     TileItems items_;
     std::vector<Paint> paints_;
     std::vector<std::uint8_t> shown_;
+    std::vector<std::uint32_t> segments_;  // those shown
+    EndColors ends_;
 };
 
 }  // namespace kushi

@@ -80,7 +80,7 @@ const LayerResolver::Hair& LayerResolver::hair(std::uint32_t id, const TileItems
     const auto& nodes = scene_.strands().nodes;
     const Vec3d along = nodes[node + 1].as<double>() - nodes[node].as<double>();
     const double size = length(along);
-    known.strand = static_cast<std::uint32_t>(scene_.strandOf(node));
+    known.strand = static_cast<std::uint32_t>(scene_.strands().strandOf(node));
     if (size > 0) known.tangent = (along / size).as<float>();
     return known;
 }

@@ -68,12 +68,6 @@ double Scene::widthOf(double diameter, double q) const {
     return width > 0 ? std::min(width, mostWidth) : 0;  // not a number is no width
 }
 
-std::size_t Scene::strandOf(std::uint32_t node) const {
-    const auto& offsets = strands_.offsets;
-    const auto next = std::upper_bound(offsets.begin(), offsets.end(), node);
-    return static_cast<std::size_t>(next - offsets.begin()) - 1;
-}
-
 std::optional<ScreenSegment> Scene::clippedSegment(std::uint32_t firstNode) const {
     const StoredPoint a = nodes_[firstNode];
     const StoredPoint b = nodes_[firstNode + 1];

@@ -101,8 +101,6 @@ public:
     ScreenPolygon triangle(std::uint32_t index) const;
     /// Whether a segment is drawn as a ribbon and not as a line.
     bool isRibbon(const ScreenSegment& segment) const { return segment.widest() > widestLine_; }
-    /// The strand that a node belongs to.
-    std::size_t strandOf(std::uint32_t node) const;
     bool beginsStrand(std::uint32_t node) const { return begins_[node] != 0; }
     bool endsStrand(std::uint32_t node) const { return begins_[std::size_t{node} + 1] != 0; }
     /// Asks the memory for a segment that will be wanted soon.

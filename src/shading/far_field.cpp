@@ -4,6 +4,7 @@
 #include "shading/fibre_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -163,27 +164,24 @@ FarField::FarField(const Fibre& fibre) {
     }
 }
 
-FarField::Around FarField::around(Float4 sinHalf, Float4 phi) const {
-    const Float4 row = smaller(sinHalf, float4(0.9999F)) * (rows - 1);
-    const Float4 column = smaller(phi * static_cast<float>((columns - 1) / pi),
-                                  float4(static_cast<float>(columns - 1) - 0.001F));
-    std::array<Entry, 4> mixed;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-        const auto i = static_cast<std::size_t>(row[lane]);
-        const auto j = static_cast<std::size_t>(column[lane]);
-        const float u = row[lane] - static_cast<float>(i);
-        const float v = column[lane] - static_cast<float>(j);
-        const Entry* const at = &entries_[i * columns + j];
-        for (std::size_t k = 0; k < 2; ++k) {
-            const Float4 one = at[0][k] + v * (at[1][k] - at[0][k]);
-            const Float4 two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
-            mixed[lane][k] = one + u * (two - one);
-        }
+FarField::Around FarField::around(float sinHalf, float phi) const {
+    // Also for what is not a number.
+    const auto below = [](float x, float most) { return x < most ? x : most; };
+    const float row = below(sinHalf, 0.9999F) * (rows - 1);
+    const float column = below(phi * static_cast<float>((columns - 1) / pi),
+                               static_cast<float>(columns - 1) - 0.001F);
+    const auto i = static_cast<std::size_t>(row);
+    const auto j = static_cast<std::size_t>(column);
+    const float u = row - static_cast<float>(i);
+    const float v = column - static_cast<float>(j);
+    const Entry* const at = &entries_[i * columns + j];
+    Entry mixed;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Float4 one = at[0][k] + v * (at[1][k] - at[0][k]);
+        const Float4 two = at[columns][k] + v * (at[columns + 1][k] - at[columns][k]);
+        mixed[k] = one + u * (two - one);
     }
-    const auto all = [&](std::size_t k, std::size_t i) {
-        return Float4{mixed[0][k][i], mixed[1][k][i], mixed[2][k][i], mixed[3][k][i]};
-    };
-    return {all(0, 0), all(0, 1), all(0, 2), all(0, 3), all(1, 0), all(1, 1), all(1, 2), all(1, 3)};
+    return std::bit_cast<Around>(mixed);
 }
 
 FarField::Albedo FarField::albedo(float absorption) const {

@@ -18,16 +18,16 @@ public:
     explicit FarField(const Fibre& fibre);
 
     /// What a clear fibre sends around itself [1/rad], and how far through it light has gone
-    /// [radii], for four lights at once.
+    /// [radii].
     struct Around {
-        Float4 r, tt, trt;
-        Float4 pathTt, pathTrt;
+        float r, tt, trt;
+        float pathTt, pathTrt;
         /// The same where light comes from all of the half circle about phi (Zinke et al. 2008).
-        Float4 rHalf, ttHalf, trtHalf;
+        float rHalf, ttHalf, trtHalf;
     };
     /// sinHalf  of half the difference between the angles to the normal plane, in [0, 1]
     /// phi      between the two directions around the fibre, in [0, pi]
-    Around around(Float4 sinHalf, Float4 phi) const;
+    Around around(float sinHalf, float phi) const;
 
     /// What a fibre does to light on average over all that comes square to it or slanting.
     struct Albedo {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The anisotropic shading of Anjyo, Usami & Kurihara 1992, which Usami & Anjyo 1992 use: Blinn's
 // specular model on a cylinder too thin to be seen.
-#include "core/parallel.h"
+#include "shading/color_all.h"
 #include "shading/tangents.h"
 
 #include <kushi/shade.h>
@@ -51,22 +51,26 @@ Rgb shadeNode(Vec3f tangent, Vec3f outward, Vec3f toEye, Rgb color, const Lights
 
 }  // namespace
 
+NodeColors nodeColors(const Strands& strands, const Lights& lights, const HairLook& look,
+                      Vec3f eye) {
+    return [=, &strands](std::span<const std::uint32_t> nodes, std::span<Rgb> colors) {
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const std::uint32_t node = nodes[i];
+            const std::size_t strand = strands.strandOf(node);
+            const Vec3f place = strands.nodes[node];
+            const Vec3f tangent = tangentAt(strands.strand(strand), node - strands.offsets[strand]);
+            const Rgb color = strands.colors.empty() ? look.color : strands.colors[node];
+            const Vec3f outward =
+                look.body ? look.body->normal(place.as<double>()).as<float>() : Vec3f{};
+            colors[i] =
+                shadeNode(tangent, outward, directionBetween(place, eye), color, lights, look);
+        }
+    };
+}
+
 void shade(const Strands& strands, const Lights& lights, const HairLook& look, Vec3f eye,
            std::span<Rgb> colors, int threads) {
-    parallelFor(strands.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t first = strands.offsets[i];
-            forEachTangent(strands.strand(i), [&](std::size_t j, Vec3f tangent) {
-                const std::size_t node = first + j;
-                const Vec3f toEye = directionBetween(strands.nodes[node], eye);
-                const Rgb color = strands.colors.empty() ? look.color : strands.colors[node];
-                const Vec3f outward =
-                    look.body ? look.body->normal(strands.nodes[node].as<double>()).as<float>()
-                              : Vec3f{};
-                colors[node] = shadeNode(tangent, outward, toEye, color, lights, look);
-            });
-        }
-    });
+    colorAll(nodeColors(strands, lights, look, eye), colors, threads);
 }
 
 }  // namespace kushi

@@ -102,6 +102,7 @@ void blur(std::vector<Sum>& sums, const HairGrid& grid, std::size_t axis) {
 }  // namespace
 
 float HairGrid::Cell::crossings(Vec3f direction) const {
+    if (density == 0) return 0;
     // The mean sine of an angle between two directions.
     constexpr float anyWay = std::numbers::pi_v<float> / 4;
     const float agreement = length(way);

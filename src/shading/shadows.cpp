@@ -95,6 +95,14 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
     fields->cubes.resize(grid.cells.size() * fields->stride);
     parallelFor(grid.cells.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            Float4* const cube = &fields->cubes[i * fields->stride];
+            for (std::size_t j = 0; j < count; ++j)
+                cube[Fields::ofSky + j / 4][j % 4] = all[j].crossings[i];
+            // Nodes lie in cubes with hair, as do those around them.
+            if (grid.cells[i].density == 0) {
+                cube[0] = cube[1] = float4(1);
+                continue;
+            }
             const Vec3f middle = grid.middle(i);
             std::array<std::array<SideSum, 3>, 2> sides;
             for (std::size_t j = count; j < all.size(); ++j) {
@@ -105,7 +113,6 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
                 for (std::size_t k = 0; k < 3; ++k)
                     sides[parts[k] < 0 ? 1 : 0][k].add(std::abs(parts[k]), lit, passing);
             }
-            Float4* const cube = &fields->cubes[i * fields->stride];
             for (std::size_t side = 0; side < 2; ++side) {
                 for (std::size_t k = 0; k < 3; ++k) {
                     const Passage passage = sides[side][k].passage();
@@ -113,8 +120,6 @@ Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, in
                     cube[2 + side][k] = passage.crossings;
                 }
             }
-            for (std::size_t j = 0; j < count; ++j)
-                cube[Fields::ofSky + j / 4][j % 4] = all[j].crossings[i];
         }
     });
     fields->sky.assign(std::make_move_iterator(all.begin() + static_cast<std::ptrdiff_t>(count)),
@@ -186,25 +191,6 @@ float Shadows::onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float>
         sum += facing * light.head.lit(place, skySlack) * std::exp(-blocked * crossings);
     }
     return weights > 0 ? sum / weights : 1;
-}
-
-std::vector<float> Shadows::crossingsBefore(std::span<const Vec3f> nodes, Vec3f eye,
-                                            int threads) const {
-    std::vector<float> before(nodes.size());
-    const HairGrid& grid = fields_->grid;
-    if (grid.empty()) return before;
-    const Vec3f middle = 0.5F * (grid.middle(0) + grid.middle(grid.cells.size() - 1));
-    const Vec3f way = eye - middle;
-    if (!(length(way) > 0)) return before;
-    // Tight hair has more than enough in its own cube, and the eye sees its surface.
-    const Vec3f towards = normalized(way);
-    const std::vector<float> crossings = crossingsTowards(grid, towards, 1);
-    const Vec3f ahead = grid.size * towards;
-    parallelFor(nodes.size(), 16384, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            before[i] = crossings[grid.cubeAt(nodes[i] + ahead)];
-    });
-    return before;
 }
 
 }  // namespace kushi

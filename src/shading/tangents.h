@@ -15,9 +15,24 @@ inline Vec3f directionBetween(Vec3f a, Vec3f b) {
     return size > 0 && std::isfinite(size) ? step / size : Vec3f{};
 }
 
-/// Calls visit(i, t) for every node with the mean direction t of the nearest segments before and
-/// after it that have a length; at the ends, of the one that exists. Where a strand folds back on
-/// itself t is along the fold, and zero in a strand without any length.
+/// The direction of a strand at node i: the mean of those of the nearest segments before and after
+/// it that have a length, looked for among 32; at the ends, that of the one that exists. Where a
+/// strand folds back on itself it is along the fold, and zero where there is no length.
+inline Vec3f tangentAt(std::span<const Vec3f> nodes, std::size_t i) {
+    constexpr std::size_t farthest = 32;
+    Vec3f before;
+    Vec3f after;
+    for (std::size_t j = i; j > 0 && i - j < farthest && before == Vec3f{}; --j)
+        before = directionBetween(nodes[j - 1], nodes[j]);
+    for (std::size_t j = i; j + 1 < nodes.size() && j - i < farthest && after == Vec3f{}; ++j)
+        after = directionBetween(nodes[j], nodes[j + 1]);
+    const Vec3f sum = before + after;
+    const float size = length(sum);
+    return size > 1e-6F ? sum / size : before;
+}
+
+/// Calls visit(i, t) for every node i with the strand's direction t there, as above, however far
+/// the next segment with a length.
 template <class Visit>
 void forEachTangent(std::span<const Vec3f> nodes, Visit&& visit) {
     Vec3f before;

@@ -177,7 +177,8 @@ TEST(Layers, GiveThePictureOverAnyBackground) {
 
 TEST(Layers, AreEmptyWhereNothingCanBeDrawn) {
     const DrawOptions options = {.width = 0};
-    EXPECT_TRUE(drawLayers({}, {}, {}, pixelCamera(64), options, all).image.pixels.empty());
+    const std::vector<Rgb> none;
+    EXPECT_TRUE(drawLayers({}, none, {}, pixelCamera(64), options, all).image.pixels.empty());
 }
 
 }  // namespace

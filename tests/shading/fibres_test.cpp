@@ -209,6 +209,27 @@ TEST(ShadeFibres, TheSameFromAnyNumberOfThreads) {
     }
 }
 
+TEST(ShadeFibres, SomeNodesHaveTheColorsThatAllHave) {
+    Strands strands = test::lattice(12, 0.001F, 0.06F, 2e-4F, 9);
+    for (std::size_t i = 0; i < strands.nodes.size(); ++i)
+        strands.colors.push_back(i % 7 == 0 ? black : blond);
+    const Lights lights = portraitLights();
+    const Shadows shadows(strands, {}, lights);
+    const Vec3f eye = {1, 0.2F, 0.3F};
+    std::vector<Rgb> all(strands.nodes.size());
+    shade(strands, lights, shadows, FibreLook(), eye, all);
+    const NodeColors colorsOf = nodeColors(strands, lights, shadows, FibreLook(), eye);
+    for (const std::uint32_t step : {1U, 3U, 11U, 400U}) {
+        std::vector<std::uint32_t> nodes;
+        for (std::uint32_t node = step / 2; node < all.size(); node += step)
+            nodes.push_back(node);
+        std::vector<Rgb> some(nodes.size(), Rgb{-1, -1, -1});
+        colorsOf(nodes, some);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            ASSERT_EQ(some[i], all[nodes[i]]) << nodes[i];
+    }
+}
+
 TEST(ShadeFibres, TakesWhatComes) {
     Strands strands;
     strands.add(std::vector<Vec3f>{{0, 0, 0}}, 0);

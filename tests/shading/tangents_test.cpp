@@ -12,6 +12,12 @@ namespace {
 std::vector<Vec3f> tangentsOf(const std::vector<Vec3f>& nodes) {
     std::vector<Vec3f> tangents(nodes.size(), {9, 9, 9});
     forEachTangent(nodes, [&](std::size_t i, Vec3f t) { tangents[i] = t; });
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Vec3f alone = tangentAt(nodes, i);
+        EXPECT_EQ(alone.x, tangents[i].x) << i;
+        EXPECT_EQ(alone.y, tangents[i].y) << i;
+        EXPECT_EQ(alone.z, tangents[i].z) << i;
+    }
     return tangents;
 }
 

@@ -155,17 +155,17 @@ private:
         }
         direct[0] *= around.r;
         passed[0] *= around.rHalf;
+        // Into the half circle that it comes from.
         const Float4 back =
-            (1 + in.cosPhi) * (1 / (2 * pi)) * stray(float4(backVariance_), in, sinOut, cosOut);
+            larger(in.cosPhi, float4(0)) * 0.5F * stray(float4(backVariance_), in, sinOut, cosOut);
 
         std::array<Float4, 3> sum{};
         for (std::size_t c = 0; c < 3; ++c) {
             const Float4 tt = exponential(-pigment.absorption[c] * around.pathTt);
             const Float4 trt = exponential(-pigment.absorption[c] * around.pathTrt);
             const auto& albedo = pigment.albedo[c];
-            const Float4 sentBack = look_.density * near[c] * back;
-            const Float4 through =
-                look_.density * (exponential(-crossings * (1 - albedo.forward)) - none);
+            const Float4 sentBack = near[c] * back;
+            const Float4 through = exponential(-crossings * (1 - albedo.forward)) - none;
             sum[c] = none * (direct[0] + direct[1] * around.tt * tt + direct[2] * around.trt * trt +
                              sentBack) +
                      through * (passed[0] + passed[1] * around.ttHalf * tt +

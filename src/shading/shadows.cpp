@@ -17,7 +17,7 @@ namespace kushi {
 namespace {
 
 constexpr int gridCells = 64;          // along the longest side of the hair
-constexpr float ownHair = 0.55F;       // cubes; with it about as much light passes as by rays
+constexpr float ownHair = 1;           // cubes: what is seen is the outermost of its own
 constexpr std::size_t skyLights = 16;  // that stand for light from everywhere
 constexpr float mostCrossings = 14;    // where nothing of the sky comes
 constexpr float texel = 0.005F;        // of the head's maps for the lights [m]

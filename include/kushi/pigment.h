@@ -12,10 +12,11 @@ namespace kushi {
 /// redness  share of it that is pheomelanin, in [0, 1]
 Rgb absorptionOfMelanin(float melanin, float redness);
 
-/// sigma_a with which a whole head of such fibres shows about the given colour (Chiang et al. 2016,
-/// eq. 9).
+/// sigma_a with which a whole head of such fibres shows about the given colour in light that comes
+/// evenly from everywhere. As Chiang et al. (2016), eq. 9, but no head of hair is darker than what
+/// the surface of its fibres reflects, and below that it shows what our path tracer finds.
 ///
-/// color      each channel is clamped to [1e-6, 0.99]
+/// color      each channel counts as in [0.025, 0.99]; 0.025 is black
 /// azimuthal  beta_n
 Rgb absorptionOfColor(Rgb color, double azimuthal);
 

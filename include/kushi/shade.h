@@ -79,8 +79,6 @@ struct FibreLook {
     Fibre fibre = {.longitudinal = 0.17, .azimuthal = 0.3};
     float tiltVariation = 0.026F;  ///< rad, by up to which the tilt of a strand's scales differs;
                                    ///< makes the edges of highlights ragged
-    float density = 0.7F;          ///< share of neighbours in the half spaces before and behind a
-                                   ///< fibre that pass light on (Zinke et al. 2008, d_f and d_b)
 };
 
 /// One linear colour per node, seen from `eye` [m], by dual scattering (Zinke, Yuksel, Weber &

@@ -8,9 +8,13 @@ namespace kushi {
 
 namespace {
 
-/// The denominator of Chiang's fit.
+// What hair shows without any light from inside: the reflection at its surface.
+constexpr double sheen = 0.025;
+
+/// Minus the logarithm of what comes from inside, by the root of sigma_a. Chiang et al. (2016), eq.
+/// 9, has how it depends on roughness; the whole is what the path tracer shows.
 double spreadOfColor(double b) {
-    return 5.969 + b * (-0.215 + b * (2.532 + b * (-10.73 + b * (5.574 + b * 0.245))));
+    return 0.705 * (5.969 + b * (-0.215 + b * (2.532 + b * (-10.73 + b * (5.574 + b * 0.245)))));
 }
 
 }  // namespace
@@ -23,8 +27,8 @@ Rgb absorptionOfMelanin(float melanin, float redness) {
 
 Rgb absorptionOfColor(Rgb color, double azimuthal) {
     const auto channel = [&](float c) {
-        const double root =
-            std::log(std::clamp(static_cast<double>(c), 1e-6, 0.99)) / spreadOfColor(azimuthal);
+        const double inside = (std::min(static_cast<double>(c), 0.99) - sheen) / (1 - sheen);
+        const double root = std::log(std::max(inside, 1e-6)) / spreadOfColor(azimuthal);
         return static_cast<float>(root * root);
     };
     return {channel(color.r), channel(color.g), channel(color.b)};
@@ -32,8 +36,8 @@ Rgb absorptionOfColor(Rgb color, double azimuthal) {
 
 Rgb colorOfAbsorption(Rgb absorption, double azimuthal) {
     const auto channel = [&](float sigma) {
-        return static_cast<float>(
-            std::exp(-spreadOfColor(azimuthal) * std::sqrt(static_cast<double>(sigma))));
+        const double root = std::sqrt(static_cast<double>(sigma));
+        return static_cast<float>(sheen + (1 - sheen) * std::exp(-spreadOfColor(azimuthal) * root));
     };
     return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
 }

@@ -169,22 +169,20 @@ private:
         }
         direct[0] = direct[0] * far.r;
         passed[0] = passed[0] * far.rHalf;
-        const Lanes back =
-            (Lanes(1) + in.cosPhi) * Lanes(1 / (2 * pi)) * stray(scene_.backVariance, in);
+        // Into the half circle that it comes from.
+        const Lanes back = most(in.cosPhi, Lanes(0)) * Lanes(0.5F) * stray(scene_.backVariance, in);
 
-        const Lanes density(scene_.look.density);
         Channels sum;
         for (std::size_t c = 0; c < 3; ++c) {
             const Lanes absorption = load(batch_.absorption[c]);
             const Lanes tt = exponential(-absorption * far.pathTt);
             const Lanes trt = exponential(-absorption * far.pathTrt);
-            const Lanes sentBack = density * near_[c] * back;
+            const Lanes sentBack = near_[c] * back;
             const Lanes any = exponential(-crossings * (Lanes(1) - load(batch_.forward[c])));
             sum[c] = none * (direct[0] + direct[1] * far.tt * tt + direct[2] * far.trt * trt +
                              sentBack) +
-                     density * (any - none) *
-                         (passed[0] + passed[1] * far.ttHalf * tt + passed[2] * far.trtHalf * trt +
-                          sentBack);
+                     (any - none) * (passed[0] + passed[1] * far.ttHalf * tt +
+                                     passed[2] * far.trtHalf * trt + sentBack);
         }
         return sum;
     }

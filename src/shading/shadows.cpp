@@ -17,7 +17,8 @@ namespace kushi {
 namespace {
 
 constexpr int gridCells = 64;          // along the longest side of the hair
-constexpr float ownHair = 0.55F;       // cubes; with it about as much light passes as by rays
+constexpr float ownHair = 1;           // cubes: what is seen is the outermost of its own
+constexpr float ownSkin = 0.55F;       // likewise of skin, which lies beneath hair and not in it
 constexpr std::size_t skyLights = 16;  // that stand for light from everywhere
 constexpr float mostCrossings = 14;    // where nothing of the sky comes
 constexpr float texel = 0.005F;        // of the head's maps for the lights [m]
@@ -71,6 +72,17 @@ struct Shadows::Fields {
     std::vector<FarLight> distant, sky;
     std::size_t stride = ofSky;
     std::vector<Float4> cubes;
+
+    Float4 between(const GridPlace& place, std::size_t vector) const {
+        Float4 sum{};
+        for (std::size_t i = 0; i < place.cubes.size(); ++i)
+            sum += place.weights[i] * cubes[place.cubes[i] * stride + vector];
+        return sum;
+    }
+    /// A place whose crossings towards a light are those of skin here.
+    Vec3f beneath(Vec3f skin, Vec3f towards) const {
+        return skin - (ownHair - ownSkin) * grid.size * towards;
+    }
 };
 
 Shadows::Shadows(const Strands& hair, const Mesh& head, const Lights& lights, int threads) {
@@ -141,12 +153,7 @@ Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) co
     if (fields.grid.empty()) return {};
 
     const GridPlace found = placeIn(fields.grid, place);
-    const auto between = [&](std::size_t vector) {
-        Float4 sum{};
-        for (std::size_t i = 0; i < found.cubes.size(); ++i)
-            sum += found.weights[i] * fields.cubes[found.cubes[i] * fields.stride + vector];
-        return sum;
-    };
+    const auto between = [&](std::size_t vector) { return fields.between(found, vector); };
     for (std::size_t i = 0; i < distant.size(); i += 4) {
         const Float4 crossings = between(Fields::ofSky + i / 4);
         for (std::size_t j = i; j < std::min(i + 4, distant.size()); ++j)
@@ -171,23 +178,29 @@ Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) co
 float Shadows::onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const {
     const Vec3f right = -penumbra * anyNormal(normal);
     const Vec3f up = cross(normal, right);
-    std::vector<Passage> passages(distant.size());
-    std::ranges::fill(distant, 0.0F);
-    for (const Vec3f from : {place, place + right, place - right, place + up, place - up}) {
-        at(from, normal, passages);
-        for (std::size_t i = 0; i < distant.size(); ++i)
-            distant[i] += 0.2F * passages[i].free * std::exp(-blocked * passages[i].crossings);
+    const Fields& fields = *fields_;
+    const HairGrid& grid = fields.grid;
+    for (std::size_t i = 0; i < distant.size(); ++i) {
+        const FarLight& light = fields.distant[i];
+        distant[i] = 0;
+        for (const Vec3f from : {place, place + right, place - right, place + up, place - up}) {
+            float crossings = 0;
+            if (!grid.empty()) {
+                const GridPlace found = placeIn(grid, fields.beneath(from, light.towards));
+                crossings = fields.between(found, Fields::ofSky + i / 4)[i % 4];
+            }
+            distant[i] += 0.2F * light.head.lit(from, slack) * std::exp(-blocked * crossings);
+        }
     }
 
-    const HairGrid& grid = fields_->grid;
-    const std::size_t cube = grid.empty() ? 0 : grid.cubeAt(place);
     float sum = 0;
     float weights = 0;
-    for (const FarLight& light : fields_->sky) {
+    for (const FarLight& light : fields.sky) {
         const float facing = dot(normal, light.towards);
         if (facing <= 0) continue;
         weights += facing;
-        const float crossings = grid.empty() ? 0 : light.crossings[cube];
+        const float crossings =
+            grid.empty() ? 0 : light.crossings[grid.cubeAt(fields.beneath(place, light.towards))];
         sum += facing * light.head.lit(place, skySlack) * std::exp(-blocked * crossings);
     }
     return weights > 0 ? sum / weights : 1;

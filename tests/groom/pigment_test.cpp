@@ -19,15 +19,15 @@ TEST(AbsorptionOfMelanin, IsThatOfTheTable) {
 }
 
 TEST(AbsorptionOfColor, IsTheFit) {
-    // (ln 0.5 / 5.969)^2 without roughness.
-    EXPECT_NEAR(absorptionOfColor({0.5F, 0.5F, 0.5F}, 0).g, 0.013485, 1e-5);
+    // (ln (0.475 / 0.975) / (0.705 * 5.969))^2 without roughness.
+    EXPECT_NEAR(absorptionOfColor({0.5F, 0.5F, 0.5F}, 0).g, 0.029202, 1e-5);
     // The polynomial at 1: 5.969 - 0.215 + 2.532 - 10.73 + 5.574 + 0.245 = 3.375.
-    EXPECT_NEAR(absorptionOfColor({0.5F, 0.5F, 0.5F}, 1).b, 0.042180, 1e-5);
+    EXPECT_NEAR(absorptionOfColor({0.5F, 0.5F, 0.5F}, 1).b, 0.091343, 1e-5);
 }
 
 TEST(AbsorptionOfColor, ComesBack) {
     for (const double roughness : {0.1, 0.3, 0.9}) {
-        const Rgb color = {0.9F, 0.2F, 0.01F};
+        const Rgb color = {0.9F, 0.2F, 0.03F};
         const Rgb back = colorOfAbsorption(absorptionOfColor(color, roughness), roughness);
         EXPECT_NEAR(back.r, color.r, 1e-5);
         EXPECT_NEAR(back.g, color.g, 1e-5);
@@ -50,7 +50,7 @@ TEST(AbsorptionOfColor, OfWhatPigmentShowsIsThePigments) {
 }
 
 TEST(AbsorptionOfColor, OfColoursOutOfRangeIsThatOfTheNearest) {
-    EXPECT_EQ(absorptionOfColor({0, -1, 2}, 0.3), absorptionOfColor({1e-6F, 1e-6F, 0.99F}, 0.3));
+    EXPECT_EQ(absorptionOfColor({0, -1, 2}, 0.3), absorptionOfColor({0.025F, 0.02F, 0.99F}, 0.3));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 //
 // Hair at rest on solids given as distance fields, against their closed forms.
 #include "rod/analytic_field.h"
-#include "rod/every_target.h"
+#include "every_target.h"
 #include "rod/rest_energy.h"
 
 #include <algorithm>

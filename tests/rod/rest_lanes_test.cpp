@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The lanes of floats against the double reference, on every instruction set of this processor.
-#include "rod/every_target.h"
+#include "every_target.h"
 #include "rod/kernel/batch-inl.h"
 #include "rod/rest_rods.h"
 

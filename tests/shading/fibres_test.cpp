@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "every_target.h"
 #include "shading/lattice.h"
 
 #include <kushi/shadows.h>
@@ -206,6 +207,23 @@ TEST(ShadeFibres, TheSameFromAnyNumberOfThreads) {
         std::vector<Rgb> more(hair.nodes.size());
         shade(hair, lights, shadows, {}, {1, 0.2F, 0.3F}, more, threads);
         EXPECT_EQ(std::memcmp(more.data(), one.data(), one.size() * sizeof(Rgb)), 0);
+    }
+}
+
+using FibreLanesTest = OnEveryTarget;
+
+TEST_F(FibreLanesTest, AllProcessorsGiveTheSameBytes) {
+    const Strands hair = test::lattice(30, 0.004F, 0.2F, 2e-4F);
+    const Lights lights = portraitLights();
+    const Shadows shadows(hair, {}, lights);
+    std::vector<Rgb> first;
+    for (const std::int64_t target : targetsHere()) {
+        use(target);
+        std::vector<Rgb> colors(hair.nodes.size());
+        shade(hair, lights, shadows, {.color = blond}, {1, 0.2F, 0.3F}, colors);
+        if (first.empty()) first = colors;
+        EXPECT_EQ(std::memcmp(colors.data(), first.data(), first.size() * sizeof(Rgb)), 0)
+            << hwy::TargetName(target);
     }
 }
 

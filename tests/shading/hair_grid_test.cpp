@@ -51,6 +51,23 @@ TEST(HairGrid, KnowsWhichWayHairRuns) {
     EXPECT_NEAR(crossings / density, 0.785, 0.1);
 }
 
+TEST(HairGrid, IsEmptyAtItsRim) {
+    // However the sides of the cubes are rounded.
+    for (int k = 0; k < 40; ++k) {
+        const float height = 0.1F + 0.0037F * static_cast<float>(k);
+        Strands mat;
+        mat.add(std::vector<Vec3f>{{-0.05F, height, 0}, {0.05F, height, 0.02F}}, 0);
+        const HairGrid grid = hairGrid(mat, 64, 1);
+        for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+            const auto rows = static_cast<std::size_t>(grid.counts[1]);
+            const std::size_t row = i / static_cast<std::size_t>(grid.counts[0]) % rows;
+            if (row == 0 || row + 1 == rows) {
+                ASSERT_EQ(grid.cells[i].density, 0) << height;
+            }
+        }
+    }
+}
+
 TEST(HairGrid, TheSameFromAnyNumberOfThreads) {
     const Strands strands = lattice(110, 0.002F, 0.2F, 8e-5F, 3);
     const HairGrid one = hairGrid(strands, 64, 1);

@@ -3,9 +3,9 @@
 // Scattering in Hair" (2008).
 #include "core/float4.h"
 #include "core/parallel.h"
-#include "core/random.h"
 #include "shading/far_field.h"
 #include "shading/fibre_model.h"
+#include "shading/strand_tilt.h"
 #include "shading/tangents.h"
 
 #include <kushi/shadows.h>
@@ -22,7 +22,6 @@ constexpr float pi = std::numbers::pi_v<float>;
 // Behind so many fibres nobody sees a node but one in thousands.
 constexpr float hidden = 8;
 constexpr float inTheDark = 0.1F;
-constexpr std::uint64_t tiltSalt = 0x74696c74;
 
 float perChannel(Rgb color, std::size_t channel) {
     return channel == 0 ? color.r : channel == 1 ? color.g : color.b;
@@ -182,12 +181,6 @@ private:
     float backVariance_ = 0;
 };
 
-/// In [-1, 1], of a strand.
-float strandVariation(const Strands& strands, std::size_t strand) {
-    const std::uint64_t key = strands.keys.empty() ? strand : strands.keys[strand];
-    return static_cast<float>(uniformSigned(mixKey(key, tiltSalt)));
-}
-
 }  // namespace
 
 void shade(const Strands& strands, const Lights& lights, const Shadows& shadows,
@@ -200,7 +193,7 @@ void shade(const Strands& strands, const Lights& lights, const Shadows& shadows,
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t first = strands.offsets[i];
             const std::size_t size = strands.offsets[i + 1] - first;
-            const float tilt = look.tiltVariation * strandVariation(strands, i);
+            const float tilt = look.tiltVariation * strandTilt(strands, i);
             Pigment pigment = usual;
             Rgb last = look.color;
             forEachTangent(strands.strand(i), [&](std::size_t j, Vec3f tangent) {

@@ -103,6 +103,7 @@ TEST(RayCaster, LeavesThreadsToOthers) {
         while (!met && std::chrono::steady_clock::now() < end) {
             if (here == 2) met = true;
         }
+        --here;
     });
     EXPECT_TRUE(met);
 }

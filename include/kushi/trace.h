@@ -19,6 +19,7 @@ namespace kushi {
 /// What hair and skin are made of, for the path tracer.
 struct TraceLook {
     Fibre fibre = FibreLook{}.fibre;
+    float tiltVariation = FibreLook{}.tiltVariation;  ///< rad, as in FibreLook
     Rgb color =
         FibreLook{}.color;  ///< that a whole head of the hair shows, where strands have none
     float diameter = usualDiameter;  ///< m, where strands have none

@@ -2,18 +2,18 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <optional>
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
 
 #if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #include <thread>
 #include <vector>
 #else
-#include <optional>
-
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #endif
 
 namespace kushi {
@@ -42,14 +42,7 @@ void runPieces(std::size_t pieces, int threads, const std::function<void(std::si
 #else
 
 void runPieces(std::size_t pieces, int threads, const std::function<void(std::size_t)>& run) {
-    const int most = tbb::info::default_concurrency();
-    std::optional<tbb::global_control> more;
-    if (threads > most) {
-        more.emplace(tbb::global_control::max_allowed_parallelism,
-                     static_cast<std::size_t>(threads));
-    }
-    tbb::task_arena arena(threads > 0 ? threads : most);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces, run); });
+    withThreads(threads, [&] { tbb::parallel_for(std::size_t{0}, pieces, run); });
 }
 
 #endif
@@ -68,6 +61,17 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
     } else {
         runPieces(pieces, threads, run);
     }
+}
+
+void withThreads(int threads, const std::function<void()>& body) {
+    const int most = tbb::info::default_concurrency();
+    std::optional<tbb::global_control> more;
+    if (threads > most) {
+        more.emplace(tbb::global_control::max_allowed_parallelism,
+                     static_cast<std::size_t>(threads));
+    }
+    tbb::task_arena arena(threads > 0 ? threads : most);
+    arena.execute(body);
 }
 
 }  // namespace kushi

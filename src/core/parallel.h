@@ -12,4 +12,8 @@ namespace kushi {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Calls body(), which may use TBB itself, so that it has `threads` threads (0: as many as the
+/// machine has).
+void withThreads(int threads, const std::function<void()>& body);
+
 }  // namespace kushi

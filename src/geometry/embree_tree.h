@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/parallel.h"
+
 #include <kushi/mesh.h>
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace kushi {
 /// std::bad_alloc.
 class EmbreeTree {
 public:
-    /// config  as rtcNewDevice() takes it
+    /// config  as rtcNewDevice() takes it; not its `threads`, which hold for all of the program
     explicit EmbreeTree(const char* config) : device_(rtcNewDevice(config)) {
         if (device_ == nullptr) throw std::bad_alloc();
         scene_ = rtcNewScene(device_);
@@ -67,8 +69,10 @@ public:
     }
 
     /// Builds the tree over all that was added.
-    void build() {
-        rtcCommitScene(scene_);
+    ///
+    /// threads  0: as many as the machine has
+    void build(int threads) {
+        withThreads(threads, [&] { rtcCommitScene(scene_); });
         if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw std::bad_alloc();
     }
 

@@ -17,11 +17,11 @@ struct RayCaster::Scene {
     explicit Scene(const Mesh& of) : mesh(of) {}
 
     void build() {
-        // The narrowest registers, so that every processor finds the same; no threads of its own.
-        tree.emplace("isa=sse2,threads=1");
+        // The narrowest registers, so that every processor finds the same.
+        tree.emplace("isa=sse2");
         rtcSetSceneFlags(tree->scene(), RTC_SCENE_FLAG_ROBUST);
         tree->addTriangles(mesh, triangles);
-        tree->build();
+        tree->build(1);
     }
 };
 

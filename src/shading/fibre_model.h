@@ -26,6 +26,11 @@ struct FibreModel {
         T sinTilt = 0, cosTilt = 1;  ///< by which the outgoing direction is turned
     };
 
+    /// The direction to the eye as each way meets it, turned by the tilt of the scales.
+    struct Outgoing {
+        std::array<T, 4> sine{}, cosine{};
+    };
+
     T eta = 0;
     std::array<Longitudinal, 4> along;
     T inverseWidth = 0;  ///< of the logistic that strays around the fibre
@@ -53,6 +58,25 @@ struct FibreModel {
         const T both = cosIn * cosOut;
         return lobe.scale * besselI0Scaled(both * lobe.inverseVariance) *
                std::exp((both - sinIn * sinOut - 1) * lobe.inverseVariance);
+    }
+
+    /// tilt  by which this fibre's scales are tilted more than the model's [rad]
+    Outgoing outgoing(T sinOut, T cosOut, T tilt) const {
+        const T s = std::sin(tilt);
+        const T c = std::cos(tilt);
+        const T s2 = 2 * s * c;
+        const T c2 = c * c - s * s;
+        // By as many times as the model's own tilt.
+        const std::array<T, 4> sines = {s2, -s, -2 * s2 * c2, 0};
+        const std::array<T, 4> cosines = {c2, c, c2 * c2 - s2 * s2, 1};
+        Outgoing out;
+        for (std::size_t p = 0; p < 4; ++p) {
+            const T sine = along[p].sinTilt * cosines[p] + along[p].cosTilt * sines[p];
+            const T cosine = along[p].cosTilt * cosines[p] - along[p].sinTilt * sines[p];
+            out.sine[p] = sinOut * cosine + cosOut * sine;
+            out.cosine[p] = std::abs(cosOut * cosine - sinOut * sine);
+        }
+        return out;
     }
 
     /// N: the logistic cut off at +-pi, `x` from its middle.
@@ -95,8 +119,9 @@ struct FibreIncidence {
 template <class T>
 class FibreView {
 public:
-    /// h in [-1, 1]; the outgoing direction's theta by sine and cosine.
-    FibreView(const FibreModel<T>& model, T h, T sinOut, T cosOut) : model_(model) {
+    /// h in [-1, 1]; the outgoing direction's theta by sine and cosine; `tilt` beyond the model's.
+    FibreView(const FibreModel<T>& model, T h, T sinOut, T cosOut, T tilt = 0)
+        : model_(model), out_(model.outgoing(sinOut, cosOut, tilt)) {
         const T sinInside = sinOut / model.eta;
         const T sinGammaInside = h * cosOut / std::sqrt(model.eta * model.eta - sinOut * sinOut);
         const T cosGammaInside = std::sqrt(std::max(T(0), 1 - sinGammaInside * sinGammaInside));
@@ -104,11 +129,6 @@ public:
         reflected_ = fresnel(cosOut * std::sqrt(std::max(T(0), 1 - h * h)), model.eta);
         gamma_ = std::asin(h);
         gammaInside_ = std::asin(sinGammaInside);
-        for (std::size_t p = 0; p < 4; ++p) {
-            const auto& lobe = model.along[p];
-            sinOut_[p] = sinOut * lobe.cosTilt + cosOut * lobe.sinTilt;
-            cosOut_[p] = std::abs(cosOut * lobe.cosTilt - sinOut * lobe.sinTilt);
-        }
     }
 
     /// A_p: share of the light that each way sends on (Chiang et al. 2016, eq. 6).
@@ -126,8 +146,8 @@ public:
     std::array<T, 4> spread(FibreIncidence<T> in) const {
         std::array<T, 4> values{};
         for (std::size_t p = 0; p < 4; ++p) {
-            values[p] = model_.strayAlong(model_.along[p], in.sinTheta, in.cosTheta, sinOut_[p],
-                                          cosOut_[p]);
+            values[p] = model_.strayAlong(model_.along[p], in.sinTheta, in.cosTheta, out_.sine[p],
+                                          out_.cosine[p]);
         }
         for (std::size_t p = 0; p < 3; ++p)
             values[p] *= model_.strayAround(in.phi - turn(p));
@@ -148,8 +168,8 @@ public:
                                     lobe.inverseVariance);
         const T sine = std::sqrt(std::max(T(0), 1 - cosine * cosine));
         FibreIncidence<T> in;
-        in.sinTheta =
-            std::clamp(sine * std::cos(2 * pi * v) * cosOut_[p] - cosine * sinOut_[p], T(-1), T(1));
+        in.sinTheta = std::clamp(
+            sine * std::cos(2 * pi * v) * out_.cosine[p] - cosine * out_.sine[p], T(-1), T(1));
         in.cosTheta = std::sqrt(1 - in.sinTheta * in.sinTheta);
         in.phi = p < 3 ? turn(p) + model_.sampleAround(w) : 2 * pi * w;
         return in;
@@ -163,10 +183,10 @@ private:
     }
 
     const FibreModel<T>& model_;
+    typename FibreModel<T>::Outgoing out_;
     T path_ = 0;       // inside, from wall to wall, in radii
     T reflected_ = 0;  // Fresnel's share
     T gamma_ = 0, gammaInside_ = 0;
-    std::array<T, 4> sinOut_{}, cosOut_{};
 };
 
 }  // namespace kushi

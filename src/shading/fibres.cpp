@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/random.h"
 #include "shading/color_all.h"
 #include "shading/fibre_lanes.h"
+#include "shading/strand_tilt.h"
 #include "shading/tangents.h"
 
 #include <kushi/pigment.h>
@@ -14,14 +14,6 @@
 namespace kushi {
 
 namespace {
-
-constexpr std::uint64_t tiltSalt = 0x74696c74;
-
-/// In [-1, 1], of a strand.
-float strandVariation(const Strands& strands, std::size_t strand) {
-    const std::uint64_t key = strands.keys.empty() ? strand : strands.keys[strand];
-    return static_cast<float>(uniformSigned(mixKey(key, tiltSalt)));
-}
 
 /// The pigment of one node, channel by channel.
 struct Pigment {
@@ -68,7 +60,7 @@ private:
         const std::size_t strand = strands_.strandOf(node);
         first_ = strands_.offsets[strand];
         end_ = strands_.offsets[strand + 1];
-        tilt_ = scene_.look.tiltVariation * strandVariation(strands_, strand);
+        tilt_ = scene_.look.tiltVariation * strandTilt(strands_, strand);
     }
 
     void put(std::size_t i, std::uint32_t node) {

@@ -37,10 +37,11 @@ struct Places {
 /// spread over the hair's width by it.
 class HairBand {
 public:
+    /// tilt    of this hair's scales beyond the model's [rad]
     /// wanted  what a unit of each colour is worth; lobes are sampled accordingly
-    HairBand(const FibreModel<float>& model, Places places, float sinOut, float cosOut,
+    HairBand(const FibreModel<float>& model, Places places, float sinOut, float cosOut, float tilt,
              Rgb absorption, Rgb wanted)
-        : model_(model) {
+        : model_(model), out_(model.outgoing(sinOut, cosOut, tilt)) {
         const float sinInside = sinOut / model.eta;
         const float bend = cosOut / std::sqrt(model.eta * model.eta - sinOut * sinOut);
         const float slant = -2 / std::sqrt(1 - sinInside * sinInside);
@@ -54,11 +55,6 @@ public:
             attenuate(k, f, fastExp(absorption.r * path), fastExp(absorption.g * path),
                       fastExp(absorption.b * path), wanted);
         }
-        for (std::size_t p = 0; p < 4; ++p) {
-            const auto& lobe = model.along[p];
-            sinOut_[p] = sinOut * lobe.cosTilt + cosOut * lobe.sinTilt;
-            cosOut_[p] = std::abs(cosOut * lobe.cosTilt - sinOut * lobe.sinTilt);
-        }
     }
 
     /// The mean over the places. If each is as likely to be sampled, by its shares(), pdf is the
@@ -70,7 +66,7 @@ public:
         Lanes pdf{};
         for (std::size_t p = 0; p < 4; ++p) {
             const float along = model_.strayAlong(model_.along[p], in.sinTheta, in.cosTheta,
-                                                  sinOut_[p], cosOut_[p]);
+                                                  out_.sine[p], out_.cosine[p]);
             if (along < 1e-7F) continue;
             const Lanes spread = around(p, along, in.phi);
             const Part& part = parts_[p];
@@ -153,9 +149,9 @@ private:
     }
 
     const FibreModel<float>& model_;
+    FibreModel<float>::Outgoing out_;
     std::array<Part, 4> parts_;
     Lanes gamma_, gammaInside_;
-    std::array<float, 4> sinOut_{}, cosOut_{};
 };
 
 }  // namespace kushi

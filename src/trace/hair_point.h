@@ -22,6 +22,7 @@ struct HairSpot {
     Vec3f segment;     ///< unit, of the straight segment
     float radius = 0;  ///< m
     float h = 0;       ///< across, as fibreResponse() has it
+    float tilt = 0;    ///< of its scales beyond the look's [rad]
     Rgb absorption;
 };
 
@@ -40,7 +41,7 @@ public:
           around_(cross(spot.tangent, outward_)),
           sinOut_(sineOf(toEye)),
           cosOut_(cosineOf(sinOut_)),
-          band_(model, places, sinOut_, cosOut_, spot.absorption, wanted) {}
+          band_(model, places, sinOut_, cosOut_, spot.tilt, spot.absorption, wanted) {}
 
     Response response(Vec3f in) const {
         const float sine = sineOf(in);
@@ -60,7 +61,7 @@ public:
         if (!(shares[p] > 0)) return {};
         // What is left of u is uniform again.
         const float rest = std::clamp((a.u - before) / shares[p], 0.0F, 1 - 0x1p-24F);
-        const FibreView<float> view(model_, places_.h(k), sinOut_, cosOut_);
+        const FibreView<float> view(model_, places_.h(k), sinOut_, cosOut_, spot_.tilt);
         const FibreIncidence<float> in = view.sample(p, rest, a.v, w);
         const std::array<float, 4> spread = view.spread(in);
         const std::array<Rgb, 4> parts = band_.parts(k);

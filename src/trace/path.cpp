@@ -9,24 +9,34 @@ namespace kushi {
 
 namespace {
 
+/// Of the luminance of all discs, as much as one ray to them may bring; where more may come, more
+/// rays are sent.
+constexpr float perRay = 0.03F;
+constexpr float mostRays = 8;
+
 /// Probabilities with which to choose one of the discs: by what their middles would bring.
+/// Returns the luminance that they would bring together if nothing were in the way.
 template <class Point>
-void shareDiscs(const Point& point, const Sky& sky, Rgb wanted, std::vector<float>& shares) {
+float shareDiscs(const Point& point, const Sky& sky, Rgb wanted, std::vector<float>& shares) {
     constexpr float even = 0.1F;  // kept for what only their rims bring
     shares.clear();
     float sum = 0;
-    float power = 0;
     for (const Disc& disc : sky.discs) {
         const Rgb light = disc.solidAngle * disc.radiance;
         shares.push_back(luminance(wanted * light * point.response(disc.axes.z).value));
         sum += shares.back();
-        power += luminance(light);
     }
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const Disc& disc = sky.discs[i];
-        const float alone = luminance(disc.solidAngle * disc.radiance) / power;
+        const float alone = luminance(disc.solidAngle * disc.radiance) / sky.power;
         shares[i] = sum > 0 ? (1 - even) * shares[i] / sum + even * alone : alone;
     }
+    return sum;
+}
+
+/// In [0, 1).
+float fraction(float x) {
+    return std::min(x - std::floor(x), 1 - 0x1p-24F);
 }
 
 /// What the first of two ways of finding a direction counts for.
@@ -70,8 +80,7 @@ private:
         for (std::size_t i = 0; i < sky.discs.size(); ++i) {
             const Disc& disc = sky.discs[i];
             if (!disc.holds(direction)) continue;
-            light += powerShare(point.response(direction).pdf, shares_[i] / disc.solidAngle) *
-                     disc.radiance;
+            light += powerShare(point.response(direction).pdf, discDensity(i)) * disc.radiance;
         }
         return light;
     }
@@ -94,7 +103,7 @@ private:
     std::optional<Ray> turn(const Point& point, int scattered) {
         const Pair first = random_.pair();
         const Pair second = random_.pair();
-        if (!world_.sky().discs.empty()) addDisc(point, second.v, random_.pair(), scattered + 1);
+        if (!world_.sky().discs.empty()) addDiscs(point, second.v, random_.pair(), scattered + 1);
         const Turn turned = point.sample(first, second.u);
         if (!turned.ok) return std::nullopt;
         weight_ = weight_ * turned.weight;
@@ -103,19 +112,36 @@ private:
         return point.leaving(turned.direction);
     }
 
-    /// Light straight from one of the discs.
+    /// How many rays are expected to be sent to a disc from the last place [1/sr].
+    float discDensity(std::size_t i) const {
+        return rays_ * shares_[i] / world_.sky().discs[i].solidAngle;
+    }
+
+    /// Light straight from the discs.
+    template <class Point>
+    void addDiscs(const Point& point, float choice, Pair place, int scattered) {
+        const Sky& sky = world_.sky();
+        const float sum = shareDiscs(point, sky, weight_, shares_);
+        rays_ = std::clamp(std::nearbyint(sum / (perRay * sky.power)), 1.0F, mostRays);
+        for (float ray = 0; ray < rays_; ++ray) {
+            // Evenly spread over the discs, and over each of them (Roberts's R2 sequence).
+            addDisc(point, fraction(choice + ray / rays_),
+                    {fraction(place.u + ray * 0.75487767F), fraction(place.v + ray * 0.56984029F)},
+                    scattered);
+        }
+    }
+
     template <class Point>
     void addDisc(const Point& point, float choice, Pair place, int scattered) {
-        const Sky& sky = world_.sky();
-        shareDiscs(point, sky, weight_, shares_);
         std::size_t i = 0;
         while (i + 1 < shares_.size() && choice >= shares_[i])
             choice -= shares_[i++];
-        const Disc& disc = sky.discs[i];
+        const Disc& disc = world_.sky().discs[i];
         const Vec3f direction = disc.sample(place);
         const Response response = point.response(direction);
-        const float pdf = shares_[i] / disc.solidAngle;
-        const Rgb light = disc.radiance * response.value * (powerShare(pdf, response.pdf) / pdf);
+        const float density = discDensity(i);
+        const Rgb light =
+            disc.radiance * response.value * (powerShare(density, response.pdf) / density);
         if (!(brightest(light) > 0)) return;
         if (world_.blocked(point.leaving(direction))) return;
         add(light, scattered);
@@ -135,6 +161,7 @@ private:
     Sampler& random_;
     PathLimits limits_;
     std::vector<float>& shares_;  // of the discs, at the last place
+    float rays_ = 1;              // sent to them from there
     Rgb weight_ = {1, 1, 1};      // what a unit of light from here on brings
     Rgb sky_;                     // that the last turn goes to
     Rgb once_, often_;            // light that was scattered so many times

@@ -35,6 +35,7 @@ private:
         float radius = 0;
         Vec3f tangent;
         Rgb absorption;
+        float tilt = 0;
     };
 
     std::vector<Node> nodes_;

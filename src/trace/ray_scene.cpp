@@ -81,13 +81,14 @@ struct RayScene::Tree {
     }
 };
 
-RayScene::RayScene(const Strands& strands, std::span<const float> diameters, const Mesh& head) {
+RayScene::RayScene(const Strands& strands, std::span<const float> diameters, const Mesh& head,
+                   int threads) {
     const auto tree = std::make_shared<Tree>();
     tree->segments = segmentsOf(strands, diameters);
     tree->triangles = trianglesOf(head);
     if (!tree->segments.empty()) tree->addHair(strands, diameters);
     if (!tree->triangles.empty()) tree->embree.addTriangles(head, tree->triangles);
-    tree->embree.build();
+    tree->embree.build(threads);
     tree_ = tree;
 }
 

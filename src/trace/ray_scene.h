@@ -34,7 +34,9 @@ public:
     /// Leaves out what is not finite.
     ///
     /// diameters  m, per node of the strands
-    RayScene(const Strands& strands, std::span<const float> diameters, const Mesh& head);
+    /// threads    to build with; 0: as many as the machine has
+    RayScene(const Strands& strands, std::span<const float> diameters, const Mesh& head,
+             int threads);
 
     Meeting first(const Ray& ray) const;
     bool blocked(const Ray& ray) const;

@@ -23,7 +23,9 @@ Vec3f Disc::sample(Pair random) const {
 
 Sky::Sky(const Lights& lights) : dome(lights.ambient) {
     for (const Light& light : lights.distant) {
-        if (brightest(light.color) > 0) discs.emplace_back(light);
+        if (!(brightest(light.color) > 0)) continue;
+        const Disc& disc = discs.emplace_back(light);
+        power += luminance(disc.solidAngle * disc.radiance);
     }
 }
 

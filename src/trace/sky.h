@@ -32,6 +32,7 @@ struct Disc {
 struct Sky {
     Rgb dome;
     std::vector<Disc> discs;
+    float power = 0;  ///< luminance of all discs, times their solid angles
 
     explicit Sky(const Lights& lights);
 };

@@ -3,9 +3,11 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "trace/pixel_filter.h"
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
 namespace kushi {
@@ -19,22 +21,31 @@ constexpr double darkest = 0.02;  // brightness below which noise is no share of
 /// What the samples of one pixel have brought.
 struct Pixel {
     Rgb sum;
+    int samples = 0;
     int covered = 0;
-    double brightness = 0, squares = 0;  // sums of luminance and of its square
+    double brightness = 0;  // sum of luminance
+    // The same when there were as many samples as the last power of two, and the one before it.
+    double last = 0, before = 0;
 
     void add(const Seen& seen, Rgb background) {
         const Rgb light = seen.covered ? seen.light : background;
         sum += light;
         covered += seen.covered ? 1 : 0;
-        const double bright = luminance(light);
-        brightness += bright;
-        squares += bright * bright;
+        brightness += static_cast<double>(luminance(light));
+        if (std::has_single_bit(static_cast<unsigned>(++samples))) {
+            before = last;
+            last = brightness;
+        }
     }
-    /// Square of the standard error of the mean brightness.
-    double uncertainty(int samples) const {
+    /// Square of the standard error of the mean brightness, from how much the mean of the first
+    /// samples, a power of two of them, differs from that of the others: both parts are evenly
+    /// spread as the whole is, which single samples are not.
+    double uncertainty() const {
         if (samples < 2) return 0;
-        const double variance = squares - brightness * brightness / samples;
-        return std::max(0.0, variance) / samples / (samples - 1);
+        const double first = std::bit_floor(static_cast<unsigned>(samples)) / 2.0;
+        const double others = samples - first;
+        const double difference = before / first - (brightness - before) / others;
+        return difference * difference * first * others / samples / samples;
     }
 };
 
@@ -57,10 +68,11 @@ struct Noise {
 
 class Tile {
 public:
-    Tile(const World& world, const Projection& projection, const TraceOptions& options,
-         std::size_t column, std::size_t row)
+    Tile(const World& world, const Projection& projection, const PixelFilter& filter,
+         const TraceOptions& options, std::size_t column, std::size_t row)
         : world_(world),
           projection_(projection),
+          filter_(filter),
           options_(options),
           left_(static_cast<int>(column) * side),
           top_(static_cast<int>(row) * side),
@@ -95,8 +107,8 @@ private:
             for (int i = samples_; i < until; ++i) {
                 Sampler random(key, static_cast<std::uint32_t>(i));
                 const Pair place = random.pair();
-                const Vec3d way = normalized(projection_.through(x + static_cast<double>(place.u),
-                                                                 y + static_cast<double>(place.v)));
+                const Vec3d way = normalized(projection_.through(x + 0.5 + filter_.place(place.u),
+                                                                 y + 0.5 + filter_.place(place.v)));
                 const Ray ray = {projection_.eye().as<float>(), way.as<float>(),
                                  static_cast<float>(projection_.nearPlane())};
                 pixel.add(follow(world_, ray, random, limits, scratch_), options_.background);
@@ -108,7 +120,7 @@ private:
     Noise noise() {
         Noise sum;
         forEachPixel([&](int, int, const Pixel& pixel) {
-            sum.add({pixel.brightness / samples_, pixel.uncertainty(samples_),
+            sum.add({pixel.brightness / samples_, pixel.uncertainty(),
                      static_cast<double>(samples_), 1});
         });
         return sum;
@@ -129,6 +141,7 @@ private:
 
     const World& world_;
     const Projection& projection_;
+    const PixelFilter& filter_;
     const TraceOptions& options_;
     int left_, top_, width_, height_;
     int samples_ = 0;
@@ -144,6 +157,7 @@ Traced traceTiles(const World& world, const Projection& projection, const TraceO
     };
     const std::size_t columns = tilesAlong(options.width);
     const std::size_t count = columns * tilesAlong(options.height);
+    const PixelFilter filter;
     Traced traced;
     traced.image.width = options.width;
     traced.image.height = options.height;
@@ -154,7 +168,8 @@ Traced traceTiles(const World& world, const Projection& projection, const TraceO
     std::atomic<std::size_t> done = 0;
     parallelFor(count, 1, options.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            noise[i] = Tile(world, projection, options, i % columns, i / columns).trace(traced);
+            noise[i] =
+                Tile(world, projection, filter, options, i % columns, i / columns).trace(traced);
             if (options.progress)
                 options.progress(static_cast<double>(++done) / static_cast<double>(count));
         }

@@ -61,6 +61,8 @@ void checkLook(const TraceLook& look, Check& check) {
     check.within("the fibre's longitudinal roughness", look.fibre.longitudinal, 0.01, 1);
     check.within("the fibre's azimuthal roughness", look.fibre.azimuthal, 0.01, 1);
     check.within("the fibre's tilt in radians", look.fibre.tilt, -0.5, 0.5);
+    check.within("the tilt's variation in radians", static_cast<double>(look.tiltVariation), 0,
+                 0.5);
     check.within("the hair's diameter in metres", static_cast<double>(look.diameter), 0, 1);
     check.within("the skin's gloss", static_cast<double>(look.skinGloss), 0, 1);
     check.within("the skin's roughness", static_cast<double>(look.skinRoughness), 0.05, 1);

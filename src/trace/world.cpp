@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/parallel.h"
+#include "shading/strand_tilt.h"
 #include "shading/tangents.h"
 #include "trace/path.h"
 
@@ -33,12 +34,13 @@ World::World(const Strands& strands, const Mesh& head, std::span<const Rgb> skin
       look_(look),
       fibre_(look.fibre),
       sky_(lights),
-      rays_(strands, diametersOf(strands, look.diameter), head) {
+      rays_(strands, diametersOf(strands, look.diameter), head, threads) {
     const double roughness = look.fibre.azimuthal;
     const Rgb usual = absorptionOfColor(look.color, roughness);
     parallelFor(strands.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t first = strands.offsets[i];
+            const float tilt = look.tiltVariation * strandTilt(strands, i);
             forEachTangent(strands.strand(i), [&](std::size_t j, Vec3f tangent) {
                 const std::size_t n = first + j;
                 const float diameter =
@@ -48,7 +50,7 @@ World::World(const Strands& strands, const Mesh& head, std::span<const Rgb> skin
                                        : j > 0 && strands.colors[n] == strands.colors[n - 1]
                                            ? nodes_[n - 1].absorption
                                            : absorptionOfColor(strands.colors[n], roughness);
-                nodes_[n] = {strands.nodes[n], diameter / 2, tangent, absorption};
+                nodes_[n] = {strands.nodes[n], diameter / 2, tangent, absorption, tilt};
             });
         }
     });
@@ -63,6 +65,7 @@ HairSpot World::hairAt(const Meeting& met, const Ray& ray) const {
     spot.segment = normalized(b.place - a.place);
     spot.tangent = unitOr((1 - u) * a.tangent + u * b.tangent, spot.segment);
     spot.radius = (1 - u) * a.radius + u * b.radius;
+    spot.tilt = a.tilt;
     spot.absorption = (1 - u) * a.absorption + u * b.absorption;
     // How far beside the axis the ray runs.
     const Vec3f across = unitOr(cross(ray.direction, spot.segment), {});

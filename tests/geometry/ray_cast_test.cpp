@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/ray_cast.h"
 
+#include "core/parallel.h"
 #include "core/random.h"
+
+#include <atomic>
+#include <chrono>
 
 #include <gtest/gtest.h>
 
@@ -85,6 +89,23 @@ TEST(RayCaster, SeesMarkedTrianglesOnly) {
     EXPECT_FALSE(RayCaster(mesh).first({1, 0, 0}, {0.2, 0, 0}));
     EXPECT_FALSE(RayCaster(mesh, {false, false}).first({1, 0, 0}, {-1, 0, 0}));
     EXPECT_FALSE(RayCaster(Mesh{}).first({1, 0, 0}, {-1, 0, 0}));
+}
+
+// Embree can hold all of the program to as many threads as it is told to use itself.
+TEST(RayCaster, LeavesThreadsToOthers) {
+    const Mesh ball = ellipsoidMesh({.center = {}, .semiAxes = {1, 1, 1}}, 20);
+    const RayCaster caster(ball);
+    std::atomic<int> here = 0;
+    std::atomic<bool> met = false;
+    parallelFor(2, 1, 2, [&](std::size_t, std::size_t) {
+        ++here;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        while (!met && std::chrono::steady_clock::now() < end) {
+            if (here == 2) met = true;
+        }
+        --here;
+    });
+    EXPECT_TRUE(met);
 }
 
 }  // namespace

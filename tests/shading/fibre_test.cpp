@@ -262,5 +262,20 @@ TEST(FibreResponse, HasTheCausticOfAGlassCylinder) {
     EXPECT_NEAR(farthest.at, 0.7297, 0.04);
 }
 
+TEST(FibreModel, IsTiltedMoreAsAFibreOfThatTilt) {
+    const FibreModel<double> model(Fibre{.tilt = 0.035});
+    for (const double more : {-0.05, 0.0, 0.02}) {
+        const FibreModel<double> other(Fibre{.tilt = 0.035 + more});
+        for (const double theta : {-1.5, -0.4, 0.0, 0.9}) {
+            const auto found = model.outgoing(std::sin(theta), std::cos(theta), more);
+            const auto truth = other.outgoing(std::sin(theta), std::cos(theta), 0);
+            for (std::size_t p = 0; p < 4; ++p) {
+                EXPECT_NEAR(found.sine[p], truth.sine[p], 1e-12) << p;
+                EXPECT_NEAR(found.cosine[p], truth.cosine[p], 1e-12) << p;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace kushi

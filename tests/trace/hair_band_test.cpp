@@ -32,11 +32,13 @@ TEST(HairBand, IsTheMeanOfItsPlaces) {
         const FibreIncidence<float> incidence = {std::sin(in), std::cos(in), 9 * random(5) - 4};
         const Rgb absorption = {0.1F, 0.4F, random(6)};
         const Places places = i % 3 == 0 ? Places::one(0.7F) : Places::all(random(7));
-        const HairBand band(model, places, std::sin(out), std::cos(out), absorption, {1, 1, 1});
+        const float tilt = 0.06F * random(8) - 0.03F;
+        const HairBand band(model, places, std::sin(out), std::cos(out), tilt, absorption,
+                            {1, 1, 1});
         Rgb value;
         float pdf = 0;
         for (std::size_t k = 0; k < Places::count; ++k) {
-            const FibreView<float> view(model, places.h(k), std::sin(out), std::cos(out));
+            const FibreView<float> view(model, places.h(k), std::sin(out), std::cos(out), tilt);
             const auto spread = view.spread(incidence);
             const auto red = view.attenuations(absorption.r);
             const auto green = view.attenuations(absorption.g);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One hair, so near that it fills the picture, against the integral of its response.
+#include "shading/strand_tilt.h"
 #include "trace/test_scene.h"
 
 #include <numbers>
@@ -47,8 +48,15 @@ double radiance(const Fibre& fibre, double absorption, Vec3d tangent, Vec3d norm
            (std::sin(light.halfAngle) * std::sin(light.halfAngle));
 }
 
+/// Blackman and Harris's window at so many pixels from a pixel's middle; not normalised.
+double window(double pixels) {
+    const double angle = 2 * pi * pixels / 3;
+    return 0.35875 + 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) +
+           0.01168 * std::cos(3 * angle);
+}
+
 TEST(Trace, ShowsOneHairAsTheModelHasIt) {
-    const Fibre fibre;
+    Fibre fibre;
     const Rgb color = {0.6F, 0.3F, 0.1F};
     const Vec3d tangent = normalized(Vec3d{0.15, 1, 0.1});
     Strands strands;
@@ -58,6 +66,7 @@ TEST(Trace, ShowsOneHairAsTheModelHasIt) {
     constexpr double diameter = 0.04;
     TraceLook look;
     look.fibre = fibre;
+    fibre.tilt += static_cast<double>(look.tiltVariation * strandTilt(strands, 0));
     look.color = color;
     look.diameter = static_cast<float>(diameter);
     const Camera camera = {.eye = {0, 0, 10},
@@ -77,11 +86,13 @@ TEST(Trace, ShowsOneHairAsTheModelHasIt) {
         double sum = 0;
         double difference = 0;
         for (int x = 1; x < 20; ++x) {
-            // Mean over the width of the pixel in the middle row.
+            // Mean by the pixel filter's weights, in the middle row.
             double truth = 0;
-            constexpr int steps = 16;
+            double weights = 0;
+            constexpr int steps = 48;
             for (int i = 0; i < steps; ++i) {
-                const double right = (x + (i + 0.5) / steps - 10.5) / 21 * 0.04;
+                const double off = 3 * (i + 0.5) / steps - 1.5;
+                const double right = (x + 0.5 + off - 10.5) / 21 * 0.04;
                 const Vec3d toEye = normalized(Vec3d{-right, 0, 10});
                 // The hair's surface where the eye sees it at `right`.
                 const Vec3d across = normalized(cross(tangent, toEye));
@@ -89,13 +100,51 @@ TEST(Trace, ShowsOneHairAsTheModelHasIt) {
                     std::clamp(dot(across, Vec3d{right, 0, 0}) / (diameter / 2), -1.0, 1.0);
                 const Vec3d facing = cross(across, tangent);
                 const Vec3d normal = h * across + std::sqrt(1 - h * h) * facing;
-                truth += radiance(fibre, absorption, tangent, normal, toEye, light) / steps;
+                truth += window(off) * radiance(fibre, absorption, tangent, normal, toEye, light);
+                weights += window(off);
             }
+            truth /= weights;
             const double found = traced->image.at(x, 10).r;
             sum += truth;
             difference += std::abs(found - truth);
         }
         EXPECT_LT(difference, 0.03 * sum) << towards.x;
+    }
+}
+
+/// The mean picture of one hair with this key.
+Rgb oneHair(std::uint64_t key, const TraceLook& look) {
+    Strands strands;
+    strands.add(std::vector<Vec3f>{{0, -0.02F, 0}, {0, 0.02F, 0}}, key);
+    const Lights lights = {.ambient = black, .distant = {{{0.2F, 0.3F, 1}, white, 0.05F}}};
+    const Camera camera = {.eye = {0, 0, 10}, .target = {}, .verticalFieldOfView = 0.001F};
+    TraceOptions options = small(64);
+    options.bounces = 1;
+    return meanOf(trace(strands, {}, {}, lights, camera, look, options)->image);
+}
+
+TEST(Trace, TiltsTheScalesOfEachStrandByItsKey) {
+    TraceLook look;
+    look.color = black;
+    look.diameter = 0.02F;
+    look.tiltVariation = 0.1F;
+    Strands keys;
+    double mean = 0;
+    for (std::uint64_t key = 1; key <= 1000; ++key) {
+        keys.add(std::vector<Vec3f>{{}, {0, 1, 0}}, key);
+        mean += static_cast<double>(strandTilt(keys, keys.size() - 1)) / 1000;
+    }
+    EXPECT_NEAR(mean, 0, 4 / std::sqrt(3.0 * 1000));
+    const float one = oneHair(1, look).g;
+    const float other = oneHair(2, look).g;
+    EXPECT_GT(std::abs(one - other), 0.05F * one);
+    // As a fibre of that tilt and no variation.
+    for (const std::size_t i : {0U, 1U}) {
+        TraceLook same = look;
+        same.tiltVariation = 0;
+        same.fibre.tilt += static_cast<double>(look.tiltVariation * strandTilt(keys, i));
+        const float truth = oneHair(7, same).g;
+        EXPECT_NEAR(i == 0 ? one : other, truth, 1e-3F * truth);
     }
 }
 

@@ -40,10 +40,9 @@ Status checkFiles(const Style& style) {
 int checkGroom(const CheckArguments& arguments) {
     const Result<Strands> groom = readGroom(arguments.input);
     if (!groom) return report(groom.problems());
-    const Result<DistanceField> solids =
-        solidsFor(arguments.solids, arguments.input, arguments.threads);
+    const Result<Solids> solids = solidsFor(arguments.solids, arguments.input, arguments.threads);
     if (!solids) return report(solids.problems());
-    printPenetration(arguments.input, penetrationOf(*solids, *groom, arguments.threads));
+    printPenetration(arguments.input, penetrationOf(solids->field, *groom, arguments.threads));
     return Done;
 }
 

@@ -2,6 +2,7 @@
 #include "input.h"
 
 #include "io/atomic_file.h"
+#include "pipeline/solids.h"
 #include "progress.h"
 
 #include <kushi/groom_io.h>
@@ -28,16 +29,19 @@ std::string cacheBeside(const std::string& path) {
 
 }  // namespace
 
-Result<DistanceField> solidsFor(const std::string& stylePath, const std::string& groomPath,
-                                int threads) {
-    if (stylePath.empty()) return solidsOf(Style{}, cacheBeside(groomPath), threads);
-    const Result<Style> style = readStyle(stylePath);
+Result<Solids> solidsFor(const std::string& stylePath, const std::string& groomPath, int threads) {
+    const Result<Style> style = stylePath.empty() ? Style{} : readStyle(stylePath);
     if (!style) return style.problems();
-    Result<DistanceField> solids = solidsOf(*style, cacheBeside(stylePath), threads);
-    if (solids && solids->empty()) {
+    const std::string& beside = stylePath.empty() ? groomPath : stylePath;
+    Result<DistanceField> field = solidsOf(*style, cacheBeside(beside), threads);
+    if (!field) return field.problems();
+    if (field->empty()) {
         return Problem{"has nothing to keep hair out of: no head that collides and no [[collider]]",
                        stylePath};
     }
+    Solids solids = {std::move(*field), {}};
+    for (const Collider& collider : headAndColliders(*style))
+        solids.frictions.push_back(static_cast<float>(collider.friction));
     return solids;
 }
 

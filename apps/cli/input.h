@@ -20,10 +20,15 @@ Result<SettledGroom> settleWithProgress(const Style& style, const std::string& p
                                         const SettleFlags& flags, bool measurePenetration,
                                         const Mesh* head = nullptr);
 
-/// What a groom is to be kept out of: the solids of a style, or the mannequin if `stylePath` is
-/// empty. Fields are kept beside the style, or beside `groomPath`.
-Result<DistanceField> solidsFor(const std::string& stylePath, const std::string& groomPath,
-                                int threads);
+/// What a groom is kept out of.
+struct Solids {
+    DistanceField field;
+    std::vector<float> frictions;  ///< of each
+};
+
+/// Those of a style, or the mannequin if `stylePath` is empty. Fields are kept beside the style, or
+/// beside `groomPath`.
+Result<Solids> solidsFor(const std::string& stylePath, const std::string& groomPath, int threads);
 
 /// Whether `path` ends in one of `endings` (".png"), and the problem if not.
 Status hasEnding(const std::string& path, const std::vector<std::string>& endings,

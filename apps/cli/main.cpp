@@ -93,9 +93,10 @@ void addGroomFlags(CLI::App& command, GroomFlags& flags) {
           1);
     command.add_option("--up", flags.up, "Grooms: the file's upward axis: x, y, z, -x, ... (y)");
     scale("--unit", flags.unit, "Grooms: the file's unit in centimetres (1)", 1e-4, 1e4);
-    command.add_flag("--push-out", flags.pushOut, "Grooms: push strands out of the head");
+    command.add_flag("--push-out", flags.pushOut,
+                     "Grooms: turn strands out of the head, on which they then rest");
     command.add_option("--solids", flags.solids,
-                       "Grooms: a style whose head and colliders --push-out means (the mannequin)");
+                       "Grooms: the same with the head and the colliders of a style");
 }
 
 // Every command's arguments, filled while parsing.

@@ -62,6 +62,7 @@ Result<Scene> loadStyle(const std::string& path, const SettleFlags& flags, bool 
     scene.body = style->parts[0].scalp.ellipsoid;
     clock.add(groom->report.stages);
     scene.head = std::move(*head);
+    scene.ofHead = scene.head.triangles.size();
     const bool onHead = style->parts[0].scalp.surface == ScalpSurface::Head;
     scene.skin = scalpTint(scene.head, groom->strands, onHead ? std::nullopt : scene.body, skin,
                            flags.threads);

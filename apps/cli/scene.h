@@ -18,7 +18,8 @@ namespace kushi {
 /// What there is to draw of a style or a groom.
 struct Scene {
     Strands strands;                 ///< with their inner pieces, if a style's
-    Mesh head;                       ///< may be empty
+    Mesh head;                       ///< and the colliders; may be empty
+    std::size_t ofHead = 0;          ///< triangles; those of colliders come after
     std::vector<Rgb> skin;           ///< albedo of each of the head's vertices
     float widened = 1;               ///< times their width, strands of a preview stand for the rest
     std::optional<Shadows> shadows;  ///< once a picture in the natural look has been drawn

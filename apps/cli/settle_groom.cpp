@@ -46,6 +46,10 @@ std::optional<Vec3d> readAxis(const std::string& name) {
     return {};
 }
 
+bool keptOut(const GroomFlags& flags) {
+    return flags.pushOut || !flags.solids.empty();
+}
+
 Result<GroomSettleOptions> optionsOf(const SettleArguments& arguments) {
     const SettleFlags& flags = arguments.flags;
     if (flags.count || flags.segments) {
@@ -59,14 +63,18 @@ Result<GroomSettleOptions> optionsOf(const SettleArguments& arguments) {
             arguments.input};
     }
     const GroomFlags& changes = arguments.groom;
-    if (!changes.solids.empty() && !changes.pushOut)
-        return Problem{"--solids says what --push-out pushes out of; give that too"};
     GroomSettleOptions options;
     options.threads = flags.threads;
     if (!changes.up.empty()) {
         const auto up = readAxis(changes.up);
         if (!up) return Problem{"--up " + changes.up + ": give x, y, z, -x, -y or -z"};
         options.setGravity = -*up;
+        if (keptOut(changes) && changes.up != "y") {
+            return Problem{"--up " + changes.up +
+                               ": the head of --push-out and --solids stands upright; name the "
+                               "groom in a style, with its up and front",
+                           arguments.input};
+        }
     }
     options.gravity = options.setGravity;
     if (!changes.gravity.empty()) {
@@ -92,8 +100,7 @@ void scale(Strands& groom, double factor) {
         diameter = static_cast<float>(factor * diameter);
 }
 
-std::string groomReportJson(const GroomSettleReport& report,
-                            const std::optional<PushOutReport>& out, const StageClock& clock) {
+std::string groomReportJson(const GroomSettleReport& report, const StageClock& clock) {
     nlohmann::ordered_json json;
     json["strands"] = report.strands;
     json["segments"] = report.segments;
@@ -101,12 +108,14 @@ std::string groomReportJson(const GroomSettleReport& report,
         json["wall_ms"][stage.stage] = stage.milliseconds;
     json["wall_ms"]["total"] = clock.total();
     json["max_penetration_cm"] = nullptr;
+    if (report.penetration) json["max_penetration_cm"] = 100 * report.penetration->deepest;
     json["max_residual"] = report.maxResidual;
     json["unsettled"] = report.unsettled;
     json["set"] = setJson(report.set);
-    if (out) {
-        json["pushed_out"] = out->pushed;
-        json["stuck"] = out->stuck;
+    if (report.penetration) {
+        json["inside"] = report.penetration->strands;
+        json["pushed_out"] = report.pushedOut;
+        json["stuck"] = report.stuck;
     }
     return json.dump(2) + '\n';
 }
@@ -136,6 +145,16 @@ int settleGroomFile(const SettleArguments& arguments) {
     scale(*groom, unit);
     clock.end("read");
 
+    Solids solids;
+    if (keptOut(arguments.groom)) {
+        Result<Solids> found = solidsFor(arguments.groom.solids, arguments.input, options->threads);
+        if (!found) return report(found.problems());
+        solids = std::move(*found);
+        options->solids = &solids.field;
+        options->frictions = solids.frictions;
+        clock.end("solids");
+    }
+
     ProgressBar bar("settling");
     options->progress = [&bar](double share) { bar.show(share); };
     Result<SettledStrands> settled = settleGroom(*groom, *options);
@@ -146,20 +165,12 @@ int settleGroomFile(const SettleArguments& arguments) {
         return report(problems);
     }
     clock.add(settled->report.stages);
-    std::optional<PushOutReport> out;
-    if (arguments.groom.pushOut) {
-        const Result<DistanceField> solids =
-            solidsFor(arguments.groom.solids, arguments.input, options->threads);
-        if (!solids) return report(solids.problems());
-        out = pushOut(*solids, settled->strands, options->threads);
-        clock.end("push out");
-    }
     scale(settled->strands, 1 / unit);
     if (const Status written = writeGroom(settled->strands, arguments.output); !written)
         return report(written.problems());
     clock.end("write");
     const GroomSettleReport& told = settled->report;
-    if (const Status written = writeReport(arguments.reportPath, groomReportJson(told, out, clock));
+    if (const Status written = writeReport(arguments.reportPath, groomReportJson(told, clock));
         !written) {
         return report(written.problems());
     }
@@ -167,9 +178,9 @@ int settleGroomFile(const SettleArguments& arguments) {
                 counted(told.strands, "strand").c_str(), counted(told.segments, "segment").c_str(),
                 timesLine(clock).c_str());
     printHolding(told.set, told.unsettled);
-    if (out) {
-        std::printf("pushed out: %s\n", counted(out->pushed, "strand").c_str());
-        if (out->stuck > 0) std::printf("not free: %s\n", counted(out->stuck, "strand").c_str());
+    if (told.penetration) {
+        std::printf("pushed out: %s\n", counted(told.pushedOut, "strand").c_str());
+        if (told.stuck > 0) std::printf("not free: %s\n", counted(told.stuck, "strand").c_str());
     }
     return Done;
 }

@@ -3,12 +3,15 @@
 
 #include <kushi/head.h>
 
+#include <algorithm>
+
 namespace kushi {
 
 std::vector<ScalpShowing> scalpShowing(const Scene& scene, const DrawOptions& options,
                                        StageClock& clock) {
-    if (scene.head.triangles.empty()) return {};
-    const std::vector<std::uint8_t> scalp = scalpTriangles(scene.head);
+    if (scene.ofHead == 0) return {};
+    std::vector<std::uint8_t> scalp = scalpTriangles(scene.head);
+    std::fill(scalp.begin() + static_cast<std::ptrdiff_t>(scene.ofHead), scalp.end(), 0);
     const double aspect = static_cast<double>(options.width) / options.height;
     std::vector<ScalpShowing> shares;
     for (const char* view : {"front", "back", "left", "right", "top", "three-quarter"}) {

@@ -45,7 +45,7 @@ struct SetReport {
 };
 
 /// How far a part's hair is inside of what it is kept out of: solids, or where there are none its
-/// scalp's ellipsoid.
+/// scalp's ellipsoid. Nothing but solids keeps grooms out.
 struct PartPenetration {
     std::string part;
     Penetration found;
@@ -61,10 +61,11 @@ struct SettleReport {
     std::size_t strands = 0;
     std::size_t segments = 0;  ///< in all
     std::vector<StageTime> stages;
-    /// If measured, of each part; not of grooms, which nothing keeps out.
+    /// If measured, of each part that anything keeps out.
     std::vector<PartPenetration> penetration;
-    /// Strands that came to rest in solids with a place between their nodes, or walked there, and
-    /// were turned out of them; and those that are still nearer than they should be.
+    /// Strands that came to rest in solids with a place between their nodes, or walked there, or
+    /// lay there in their groom's file, and were turned out of them; and those that are still
+    /// nearer than they should be.
     std::size_t pushedOut = 0, stuck = 0;
     std::optional<Crowding> crowding;     ///< if penetration is measured
     std::optional<double> solidsSpacing;  ///< of the solids' distance field [m]
@@ -100,7 +101,7 @@ struct SettledGroom {
 /// does not) under the earth's gravity, and rests as it is. Then what the style says otherwise is
 /// changed in small steps: gravity, forces, density, stiffness, `set`. Its strands keep their nodes
 /// whatever the number of segments asked for, and the colours, diameters and transparencies of
-/// their file.
+/// their file. What of it lies in solids is turned out before; then it rests against them.
 Result<SettledGroom> settle(const Style& style, const SettleOptions& options = {});
 
 /// The strands of a part with a groom, in Kushi's axes. A file that is missing, is no groom, has no

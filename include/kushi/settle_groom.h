@@ -15,7 +15,9 @@ struct GroomSettleOptions {
     double stiffnessScale = 1;      ///< > 0; of EI and GJ, the natural shape stays
     /// Share of the natural shape that stays, in [0, 1], and of what holds it; 0: straight hair.
     double set = 1;
-    int threads = 0;  ///< 0: as many as the machine has
+    const DistanceField* solids = nullptr;  ///< kept outside of; none if null
+    std::span<const float> frictions = {};  ///< of the solids; empty: none
+    int threads = 0;                        ///< 0: as many as the machine has
     /// Told the share done, in [0, 1], now and then; may be empty.
     std::function<void(double)> progress;
 };
@@ -27,6 +29,10 @@ struct GroomSettleReport {
     double maxResidual = 0;     ///< of the strands that settled, over EI/L + w L^2/2
     std::size_t unsettled = 0;  ///< strands that did not come to rest
     SetReport set;
+    /// With solids: strands that lay in them and were turned out; those that are still nearer than
+    /// they should be; and how far hair is inside in the end.
+    std::size_t pushedOut = 0, stuck = 0;
+    std::optional<Penetration> penetration;
 };
 
 struct SettledStrands {
@@ -36,8 +42,11 @@ struct SettledStrands {
 
 /// Sets a groom and brings it to rest under what has changed. The change is made in small steps
 /// from the groom as it is, and each strand takes the rest that this leads to; where nothing has
-/// changed, nodes stay within 1e-4 of the strand's length. Nothing is in its way: neither a head
-/// nor other hair.
+/// changed, nodes stay within 1e-4 of the strand's length.
+///
+/// What lies in solids, or nearer to them than half a millimetre, is turned out first, as pushOut()
+/// does, and set there; then strands rest against the solids, from where they come out of them by
+/// their roots. Other hair is in nobody's way.
 ///
 /// The same groom gives the same nodes from any number of threads.
 Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOptions& options = {});

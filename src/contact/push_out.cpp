@@ -16,6 +16,8 @@ constexpr double shortestStep = 2e-4;  // along a segment that grazes a surface 
 constexpr double rise = 1.0 / 3;       // of a strand that comes out of its root, by its way
 constexpr int attempts = 12;
 constexpr double same = 1e-6;  // ways whose lack differs by less are as good as each other [m]
+constexpr double straightOn = -0.98;  // cosine of a way to what faces it
+constexpr int tilts = 12;             // of half a turn, that are tried
 
 // How much nearer than wanted a segment is, where that is most; < 0: it is free.
 struct Want {
@@ -44,10 +46,15 @@ public:
     }
 
     // The way that a segment takes instead; `free` tells whether it is free there.
-    Vec3d turned(Vec3d from, Vec3d way, double walked, bool& free) const {
+    //
+    // before  the way of the segment before it
+    Vec3d turned(Vec3d from, Vec3d before, Vec3d way, double walked, bool& free) const {
         const double size = length(way);
         Vec3d best = way;
         Want least = look(from, way, walked);
+        // Straight on, what leads aside would be rounding.
+        const Vec3d out = outwardAt(solids_, from + least.at * way);
+        if (dot(way, out) < straightOn * size) slide(from, out, before, way, walked, best, least);
         Want now = least;
         Vec3d next = way;
         for (int i = 0; i < attempts && now.lack > 0; ++i) {
@@ -74,6 +81,31 @@ private:
         return std::min(margin_, std::min(start_, 0.0) + rise * walked - 1e-6);
     }
 
+    // The way that is turned least of those that are free and lead along the surface as the strand
+    // did before; if that led straight to it, down the surface. `out` is what faces the way.
+    void slide(Vec3d from, Vec3d out, Vec3d before, Vec3d way, double walked, Vec3d& best,
+               Want& least) const {
+        const double size = length(way);
+        const Vec3d along = normalized(way);
+        const auto aside = [&](Vec3d where) {
+            const Vec3d on = where - dot(where, out) * out;
+            return on - dot(on, along) * along;
+        };
+        Vec3d side = length(before) > 0 ? aside(normalized(before)) : Vec3d{};
+        if (length(side) < 0.3) side = aside({0, -1, 0});
+        if (length(side) < 0.3) return;
+        side = normalized(side);
+        for (int tilt = 1; tilt <= tilts; ++tilt) {
+            const double angle = tilt * std::numbers::pi / tilts;
+            const Vec3d next = size * (std::cos(angle) * along + std::sin(angle) * side);
+            const Want found = look(from, next, walked);
+            if (found.lack > 0) continue;
+            least = found;
+            best = next;
+            return;
+        }
+    }
+
     // The free way that is turned least, of many around; else the best of them.
     Vec3d searched(Vec3d from, Vec3d way, double walked, Vec3d best, Want& least) const {
         constexpr int around = 16;
@@ -82,8 +114,8 @@ private:
         const Vec3d other = std::abs(along.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
         const Vec3d u = normalized(cross(along, other));
         const Vec3d v = cross(along, u);
-        for (int tilt = 1; tilt <= 12 && least.lack > 0; ++tilt) {
-            const double angle = tilt * std::numbers::pi / 12;
+        for (int tilt = 1; tilt <= tilts && least.lack > 0; ++tilt) {
+            const double angle = tilt * std::numbers::pi / tilts;
             for (int side = 0; side < around; ++side) {
                 const double turn = side * 2 * std::numbers::pi / around;
                 const Vec3d next =
@@ -123,6 +155,7 @@ bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes)
     bool all = true;
     double walked = 0;
     Vec3d moved;  // of all that lies beyond
+    Vec3d before;
     for (std::size_t j = 1; j < nodes.size(); ++j) {
         const Vec3d from = nodes[j - 1].as<double>();
         const Vec3d to = nodes[j].as<double>() + moved;
@@ -131,12 +164,13 @@ bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes)
         nodes[j] = to.as<float>();
         if (size > 0 && clearing.look(from, way, walked).lack > 0) {
             bool free = false;
-            const Vec3d next = clearing.turned(from, way, walked, free);
+            const Vec3d next = clearing.turned(from, before, way, walked, free);
             all = all && free;
             moved = moved + (next - way);
             nodes[j] = (from + next).as<float>();
         }
         walked += size;
+        before = nodes[j].as<double>() - from;
     }
     return all;
 }

@@ -18,8 +18,9 @@ double clearance(const DistanceField& solids, std::span<const Vec3f> nodes, doub
 /// Turns segments, from the root outwards, until no place of a strand is nearer to solids than
 /// `margin`, but for what its root needs to come out of them, as clearance() has it. A segment
 /// turns about its beginning, by little where little is enough; what lies beyond goes with it and
-/// keeps its direction. Lengths stay. Whether that is done; if not, the strand lies better than it
-/// did, but not free.
+/// keeps its direction. Straight into a face there is no such way: it goes on along the face as the
+/// segment before it, or down. Lengths stay. Whether that is done; if not, the strand lies better
+/// than it did, but not free.
 bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes);
 
 }  // namespace kushi

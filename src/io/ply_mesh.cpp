@@ -23,14 +23,36 @@ struct VectorColumns {
     Vec3d of(const std::vector<double>& row) const { return {row[x], row[y], row[z]}; }
 };
 
+std::optional<std::size_t> findNumber(const PlyElement& element, const char* name) {
+    const auto column = element.find(name);
+    return column && !element.properties[*column].listCount ? column : std::nullopt;
+}
+
 std::optional<VectorColumns> findVector(const PlyElement& element, const char* x, const char* y,
                                         const char* z) {
-    const auto isNumber = [&](std::optional<std::size_t> column) {
-        return column && !element.properties[*column].listCount;
-    };
-    const auto atX = element.find(x), atY = element.find(y), atZ = element.find(z);
-    if (!isNumber(atX) || !isNumber(atY) || !isNumber(atZ)) return std::nullopt;
+    const auto atX = findNumber(element, x), atY = findNumber(element, y),
+               atZ = findNumber(element, z);
+    if (!atX || !atY || !atZ) return std::nullopt;
     return VectorColumns{*atX, *atY, *atZ};
+}
+
+/// Two columns of a vertex's place in a texture.
+struct TextureColumns {
+    std::size_t u = 0, v = 0;
+
+    TexturePoint of(const std::vector<double>& row) const {
+        return {static_cast<float>(row[u]), static_cast<float>(row[v])};
+    }
+};
+
+/// By the names that programs write: Blender, MeshLab and others.
+std::optional<TextureColumns> findTexture(const PlyElement& element) {
+    for (const auto& [u, v] :
+         {std::pair("s", "t"), std::pair("texture_u", "texture_v"), std::pair("u", "v")}) {
+        const auto atU = findNumber(element, u), atV = findNumber(element, v);
+        if (atU && atV) return TextureColumns{*atU, *atV};
+    }
+    return std::nullopt;
 }
 
 Status readVertices(PlyBody& body, const PlyElement& element, const std::string& file,
@@ -40,9 +62,11 @@ Status readVertices(PlyBody& body, const PlyElement& element, const std::string&
     const auto normal = findVector(element, "nx", "ny", "nz");
     faces.points.reserve(element.count);
     if (normal) faces.normals.reserve(element.count);
+    const auto texture = findTexture(element);
     return readPlyRows(body, element, file, [&](const std::vector<double>& row) -> std::string {
         faces.points.push_back(position->of(row));
         if (normal) faces.normals.push_back(normal->of(row));
+        if (texture) faces.uvs.push_back(texture->of(row));
         return isPosition(faces.points.back()) ? "" : "has a position that is not finite";
     });
 }
@@ -51,10 +75,13 @@ Status readVertices(PlyBody& body, const PlyElement& element, const std::string&
 class PolygonReader {
 public:
     PolygonReader(Faces& faces, std::uint64_t vertexCount)
-        : faces_(faces), vertexCount_(vertexCount) {}
+        : faces_(faces), vertexCount_(vertexCount), ofVertices_(!faces.uvs.empty()) {}
 
     /// Adds a polygon of vertices; what is wrong with it, or nothing.
-    std::string add(std::span<const double> indices) {
+    ///
+    /// texture  u and v of its corners, one after the other; any other number of them does not
+    ///          count
+    std::string add(std::span<const double> indices, std::span<const double> texture) {
         if (indices.size() < 3 || indices.size() > mostCorners) {
             return "has " + to_string(indices.size()) + " corners, expected 3 to " +
                    to_string(mostCorners);
@@ -67,7 +94,15 @@ public:
                        " vertices";
             }
             const auto vertex = static_cast<std::uint32_t>(index);
-            polygon.push_back({vertex, faces_.normals.empty() ? Faces::none : vertex});
+            polygon.push_back({vertex, faces_.normals.empty() ? Faces::none : vertex,
+                               ofVertices_ ? vertex : Faces::none});
+        }
+        if (texture.size() == 2 * indices.size()) {
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                polygon[k].uv = static_cast<std::uint32_t>(faces_.uvs.size());
+                faces_.uvs.push_back(
+                    {static_cast<float>(texture[2 * k]), static_cast<float>(texture[2 * k + 1])});
+            }
         }
         addPolygon(faces_, std::move(polygon));
         return {};
@@ -76,7 +111,22 @@ public:
 private:
     Faces& faces_;
     std::uint64_t vertexCount_;
+    bool ofVertices_;  // whether vertices have a place in the texture
 };
+
+/// What the list of a column holds, of all that the lists of a row hold.
+std::span<const double> listOf(const PlyElement& element, const std::vector<double>& row,
+                               std::span<const double> items, std::size_t column) {
+    const auto size = [&](std::size_t i) {
+        return element.properties[i].listCount ? static_cast<std::size_t>(std::max(row[i], 0.0))
+                                               : 0;
+    };
+    // The lists of the properties before it come first.
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < column; ++i)
+        begin += size(i);
+    return items.subspan(begin, size(column));
+}
 
 Status readFaces(PlyBody& body, const PlyElement& element, const std::string& file, Faces& faces) {
     auto column = element.find("vertex_indices");
@@ -84,18 +134,15 @@ Status readFaces(PlyBody& body, const PlyElement& element, const std::string& fi
     if (!column || !element.properties[*column].listCount) {
         return badFile(file, "no list vertex_indices in the element 'face'");
     }
+    const auto texture = element.find("texcoord");
     PolygonReader polygons(faces, faces.points.size());
     std::vector<double> items;
     return readPlyRows(
         body, element, file,
         [&](const std::vector<double>& row) {
-            // The lists of the properties before it come first.
-            double begin = 0;
-            for (std::size_t i = 0; i < *column; ++i) {
-                if (element.properties[i].listCount) begin += std::max(row[i], 0.0);
-            }
-            const auto count = static_cast<std::size_t>(std::max(row[*column], 0.0));
-            return polygons.add(std::span(items).subspan(static_cast<std::size_t>(begin), count));
+            return polygons.add(
+                listOf(element, row, items, *column),
+                texture ? listOf(element, row, items, *texture) : std::span<const double>());
         },
         &items);
 }

@@ -58,6 +58,9 @@ ChangedGroom settleChanged(const SetGroom& set, const Change& change, int thread
     RodWorld world;
     world.forces = forces;
     world.rootShares = change.rootShares;
+    world.solids = change.solids;
+    world.solidFrictions = change.solidFrictions;
+    world.layers = change.layers;
     RestState state;
     RestOptions options;
     options.threads = threads;

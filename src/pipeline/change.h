@@ -19,6 +19,10 @@ struct Change {
     double set = 1;                 ///< share of the natural shape that stays, in [0, 1]
     std::span<const Force> forces = {};
     std::span<const float> rootShares = {};  ///< of each strand in each force, strand by strand
+    /// As in RodWorld: what is in its way, already where it was set.
+    const DistanceField* solids = nullptr;
+    std::span<const float> solidFrictions = {};
+    std::span<const Layer> layers = {};
 };
 
 /// A set groom after a change.

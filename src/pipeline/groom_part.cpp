@@ -4,6 +4,7 @@
 #include "pipeline/change.h"
 #include "pipeline/cut.h"
 #include "pipeline/root_shares.h"
+#include "pipeline/set_outside.h"
 #include "pipeline/stopwatch.h"
 
 #include <algorithm>
@@ -63,12 +64,15 @@ struct Strand {
 
 class PartAtRest {
 public:
-    PartAtRest(const Style& style, const Part& part, const Strands& groom, SetGroom set,
-               int threads)
+    PartAtRest(const Style& style, const Part& part, const Strands& groom, OutsideGroom set,
+               const DistanceField* solids, std::span<const float> frictions, int threads)
         : style_(style),
           part_(part),
           groom_(groom),
-          set_(std::move(set)),
+          set_(std::move(set.set)),
+          skins_(std::move(set.skins)),
+          solids_(solids),
+          frictions_(frictions),
           strands_(groom.size()),
           threads_(threads) {
         for (std::size_t i = 0; i < groom.size(); ++i) {
@@ -88,6 +92,9 @@ public:
         change.set = part_.hair.set;
         change.forces = part_.forces;
         change.rootShares = shares;
+        change.solids = solids_;
+        change.solidFrictions = frictions_;
+        change.layers = skins_;
         ChangedGroom changed = settleChanged(set_, change, threads_, progress);
         rods_ = std::move(changed.rods);
         std::vector<std::uint32_t> all(strands_.size());
@@ -102,11 +109,14 @@ public:
             Strand& strand = strands_[i];
             const double rootShare = share(cut.roots, angles_[i], cut.falloff.angle);
             if (strand.gone || rootShare <= 0) continue;
-            const auto left = lengthLeft(cut, visible(strand), cutPlace(groom_.keys[i]), rootShare);
+            std::vector<Vec3d> nodes = visible(strand);
+            const double clamp = clampOf(i);
+            if (clamp > 0) nodes.insert(nodes.begin(), groom_.strand(i)[0].as<double>());
+            const auto left = lengthLeft(cut, nodes, cutPlace(groom_.keys[i]), rootShare);
             if (!left) continue;
             strand.gone = *left <= 0;
             if (strand.gone) continue;
-            strand.shown = std::min(strand.shown, placeAt(i, *left));
+            strand.shown = std::min(strand.shown, placeAt(i, std::max(*left - clamp, 0.0)));
             if (cut.mode == CutMode::Hide) continue;
             shorten(i);
             shortened.push_back(i);
@@ -140,6 +150,11 @@ private:
         }
         for (const std::uint32_t k : report.unsettled)
             strands_[which[k]].settled = false;
+    }
+
+    // How far a strand's rod begins from its root [m].
+    double clampOf(std::size_t i) const {
+        return length(strands_[i].nodes[0] - groom_.strand(i)[0].as<double>());
     }
 
     // Where so much of a strand's length ends.
@@ -227,6 +242,11 @@ private:
         world.gravity = style_.gravity;
         world.forces = part_.forces;
         world.rootShares = shares;
+        world.solids = solids_;
+        world.solidFrictions = frictions_;
+        const std::vector<Layer> skins =
+            skins_.empty() ? std::vector<Layer>() : picked(skins_, which);
+        world.layers = skins;
         RestState state;
         RestOptions options;
         options.threads = threads_;
@@ -272,6 +292,9 @@ private:
     const Strands& groom_;
     SetGroom set_;
     Rods rods_;  // with all that the style changes, and cut
+    std::vector<Layer> skins_;
+    const DistanceField* solids_;
+    std::span<const float> frictions_;
     std::vector<EllipsoidAngles> angles_;
     std::vector<Strand> strands_;
     int threads_;
@@ -279,21 +302,22 @@ private:
 
 }  // namespace
 
-Result<GroomPart> settleGroomPart(const Style& style, const Part& part, const Strands& groom,
+Result<GroomPart> settleGroomPart(const Style& style, const Part& part, Strands groom,
+                                  const DistanceField* solids, std::span<const float> frictions,
                                   int threads, const std::function<void(double)>& progress) {
     Stopwatch stopwatch;
-    SetOptions setting;
-    setting.threads = threads;
-    Result<SetGroom> set =
-        restShapeOf(groom, materialsOf(groom, ordinary(part.hair)), RodWorld{}, setting);
+    Result<OutsideGroom> set = setOutside(solids, groom, ordinary(part.hair), RodWorld{}, threads);
     if (!set) return set.problems();
     const double setTime = stopwatch.lap();
-    PartAtRest rest(style, part, groom, std::move(*set), threads);
+    const std::size_t pushedOut = set->pushedOut;
+    PartAtRest rest(style, part, groom, std::move(*set), solids, frictions, threads);
     rest.settle(progress);
     for (const Cut& cut : part.cuts)
         rest.cut(cut);
     GroomPart settled = rest.finish();
     settled.setTime = setTime;
+    settled.pushedOut = pushedOut;
+    if (solids != nullptr) settled.stuck = pushOut(*solids, settled.strands, threads).stuck;
     return settled;
 }
 

@@ -249,6 +249,10 @@ private:
 
     void put(GroomOfPart& groom) {
         dress(groom);
+        if (options_.measurePenetration && solids_ != nullptr) {
+            groom_.report.penetration.push_back(
+                {groom.part->name, penetrationOf(*solids_, groom.strands, options_.threads)});
+        }
         append(groom_.strands, groom.strands);
         for (std::size_t i = 0; i < groom.strands.size(); ++i) {
             const Vec3d root = groom.strands.strand(i)[0].as<double>();
@@ -262,7 +266,7 @@ private:
             show(static_cast<double>(done_) + share * static_cast<double>(groom.size()));
         };
         Result<GroomPart> settled =
-            settleGroomPart(style_, part, groom, options_.threads, progress);
+            settleGroomPart(style_, part, groom, solids_, frictions_, options_.threads, progress);
         if (!settled) return atSource(settled.problems()[0], *part.groom);
         count(settled->maxResidual, settled->unsettled);
         if (!holding_) holding_.emplace();
@@ -270,6 +274,8 @@ private:
         holding_->unstable += settled->holding.unstable;
         holding_->unheld += settled->holding.unheld;
         setTime_ += settled->setTime;
+        groom_.report.pushedOut += settled->pushedOut;
+        groom_.report.stuck += settled->stuck;
         grooms_.push_back({&part, &source, std::move(settled->strands)});
         return std::monostate{};
     }
@@ -287,7 +293,7 @@ private:
         StrandsAtRest atRest = {{}, groom.strands.keys};
         for (std::size_t i = 0; i < groom.strands.size(); ++i)
             atRest.strands.push_back(groom.strands.strand(i));
-        dress(*groom.part, *groom.source, {}, atRest);
+        dress(*groom.part, *groom.source, {nullptr, solids_}, atRest);
     }
 
     void dress(const Part& part, const PartSource& source, const Obstacles& obstacles,
@@ -338,11 +344,7 @@ Result<SettledGroom> settle(const Style& style, const SettleOptions& options) {
     const Method method = options.method.value_or(style.solver.method);
     if (const Status known = checkMethod(style, method); !known) return known.problems();
     Stopwatch stopwatch;
-    // Nothing keeps grooms out of anything.
-    const bool grows =
-        std::ranges::any_of(style.parts, [](const Part& part) { return !part.groom; });
-    const Result<DistanceField> solids =
-        grows ? solidsOf(style, options.cacheFolder, options.threads) : DistanceField();
+    const Result<DistanceField> solids = solidsOf(style, options.cacheFolder, options.threads);
     if (!solids) return solids.problems();
     const double solidsTime = stopwatch.lap();
     const Result<std::vector<PartSource>> sources = sourcesOf(style, options.count, options.head);

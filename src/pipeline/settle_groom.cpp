@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/change.h"
 #include "pipeline/holding.h"
+#include "pipeline/set_outside.h"
 #include "pipeline/stopwatch.h"
 
+#include <kushi/push_out.h>
 #include <kushi/settle_groom.h>
 
 #include <algorithm>
@@ -29,13 +31,16 @@ Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOption
     Stopwatch stopwatch;
     RodWorld world;
     world.gravity = options.setGravity;
-    SetOptions setting;
-    setting.threads = options.threads;
-    Result<SetGroom> set = restShapeOf(groom, materialsOf(groom, options.hair), world, setting);
-    if (!set) return set.problems();
     SettledStrands settled;
-    settled.report.stages.push_back({"set", stopwatch.lap()});
-    settled.report.set = describe({set->factors, set->unstable.size(), set->unheld.size()});
+    settled.strands = groom;
+    GroomSettleReport& report = settled.report;
+    const Result<OutsideGroom> outside =
+        setOutside(options.solids, settled.strands, options.hair, world, options.threads);
+    if (!outside) return outside.problems();
+    const SetGroom& set = outside->set;
+    report.pushedOut = outside->pushedOut;
+    report.stages.push_back({"set", stopwatch.lap()});
+    report.set = describe({set.factors, set.unstable.size(), set.unheld.size()});
 
     Change change;
     change.setGravity = options.setGravity;
@@ -43,14 +48,20 @@ Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOption
     change.weight = options.weightScale;
     change.bending = change.twisting = options.stiffnessScale;
     change.set = options.set;
-    const ChangedGroom changed = settleChanged(*set, change, options.threads, options.progress);
-    describe(changed.report, settled.report);
+    change.solids = options.solids;
+    change.solidFrictions = options.frictions;
+    change.layers = outside->skins;
+    const ChangedGroom changed = settleChanged(set, change, options.threads, options.progress);
+    describe(changed.report, report);
 
-    settled.strands = groom;
-    placeNodes(*set, changed.nodes, settled.strands.nodes);
-    settled.report.strands = groom.size();
-    settled.report.segments = groom.segmentCount();
-    settled.report.stages.push_back({"settle", stopwatch.lap()});
+    placeNodes(set, changed.nodes, settled.strands.nodes);
+    if (options.solids != nullptr) {
+        report.stuck = pushOut(*options.solids, settled.strands, options.threads).stuck;
+        report.penetration = penetrationOf(*options.solids, settled.strands, options.threads);
+    }
+    report.strands = groom.size();
+    report.segments = groom.segmentCount();
+    report.stages.push_back({"settle", stopwatch.lap()});
     return settled;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/program.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,20 @@ TEST(RenderCommand, ReportsTheScalpThatShows) {
 
     writeText(folder + "/a.toml", smallStyle("mesh = \"none\""));
     EXPECT_TRUE(showing("").is_null());
+}
+
+// What a collider hides is no scalp that shows, and a collider is no scalp.
+TEST(RenderCommand, ReportsNoScalpUnderAHat) {
+    const std::string folder = freshFolder();
+    const std::filesystem::path styles = std::string(KUSHI_SOURCE_DIR) + "/styles";
+    for (const char* name : {"hat.toml", "hat.obj"})
+        std::filesystem::copy_file(styles / name, folder + "/" + name);
+    const Outcome run = runKushi("render " + folder + "/hat.toml -o " + folder +
+                                 "/a.png --size 100x100 --count 60 --report " + folder + "/r.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto showing = nlohmann::json::parse(readBytes(folder + "/r.json"))["scalp_showing"];
+    EXPECT_EQ(showing["top"], 0);
+    EXPECT_GT(showing["back"], 0);  // below the hat
 }
 
 TEST(RenderCommand, TracesPaths) {

@@ -222,6 +222,13 @@ TEST(SettleGroomCommand, PushesStrandsOutWhereAsked) {
     EXPECT_EQ(after.nodes[0], before.nodes[0]);
     for (std::size_t i = 0; i < 2; ++i)
         EXPECT_NEAR(polylineLength(after.strand(i)), 0.16, 1e-5);
+    // Its hair rests against the block, and that is what --solids alone says as well.
+    EXPECT_LE(report["max_residual"], 1e-5);
+    EXPECT_EQ(report["inside"], 0);
+    EXPECT_LT(report["max_penetration_cm"], 0.01);
+    const std::string bytes = readBytes(folder + "/out.hair");
+    ASSERT_EQ(runKushi(settle + " --solids " + folder + "/a.toml --up y").status, 0);
+    EXPECT_TRUE(readBytes(folder + "/out.hair") == bytes);
     // The other is where it settles anyway.
     ASSERT_EQ(runKushi(settle).status, 0);
     const Strands plain = *readGroom(folder + "/out.hair");
@@ -257,7 +264,8 @@ TEST(Solids, WrongUseIsSaidAndNothingWritten) {
         const char *command, *arguments, *says;
     };
     for (const auto& [command, arguments, says] : {
-             Case{"settle", "g.hair --solids @/a.toml", "--push-out"},
+             Case{"settle", "g.hair --push-out --up z", "stands upright"},
+             Case{"settle", "g.hair --solids @/a.toml --up -y", "stands upright"},
              Case{"settle", "g.hair --push-out --solids @/none.toml", "none.toml"},
              Case{"settle", "g.hair --push-out --solids @/bad.toml", "bad.toml:2"},
              Case{"settle", "g.hair --push-out --solids @/free.toml",

@@ -108,6 +108,28 @@ TEST(PushOut, MovesWhatIsBeyondAlong) {
 }
 
 // From outside down to a neck and through it to the other side: it does not come out there.
+// Square on, turning by little leads nowhere: it goes down the wall, or on the way it came along
+// it, and not to and fro before it.
+TEST(PushOut, GoesAlongAWallThatItRunsStraightInto) {
+    const DistanceField wall = fieldOf([](Vec3d at) { return -at.x; });
+    std::vector<Vec3f> nodes = straight({-0.035, 0.05, 0.013}, {0.055, 0.05, 0.013}, 9);
+    EXPECT_TRUE(pushOut(wall, margin, nodes));
+    for (std::size_t j = 4; j < nodes.size(); ++j) {
+        EXPECT_LT(nodes[j].x, 1e-5 - margin);
+        EXPECT_LT(nodes[j].y, nodes[j - 1].y - 0.005F) << j;
+        EXPECT_NEAR(nodes[j].z, 0.013, 1e-6);
+    }
+    // Aslant at first: along z on the wall.
+    nodes = straight({-0.035, 0.05, -0.05}, {-0.005, 0.05, 0}, 3);
+    for (int j = 1; j <= 6; ++j)
+        nodes.push_back(nodes[3] + Vec3f{0.01F * static_cast<float>(j), 0, 0});
+    EXPECT_TRUE(pushOut(wall, margin, nodes));
+    for (std::size_t j = 5; j < nodes.size(); ++j) {
+        EXPECT_GT(nodes[j].z, nodes[j - 1].z + 0.005F) << j;
+        EXPECT_NEAR(nodes[j].y, 0.05, 1e-6);
+    }
+}
+
 TEST(PushOut, StaysOnTheSideThatTheStrandComesFrom) {
     const DistanceField field = fieldOf(toNeck);
     for (const double lean : {-0.02, 0.0, 0.003, 0.03}) {

@@ -69,6 +69,65 @@ TEST(ObjTexture, IsLeftEmptyWithoutAny) {
     EXPECT_TRUE(meshOf("a.ply", test::textPlyTetra()).groups.empty());
 }
 
+// Vertices of a square with a place in the texture each, by the names that programs give them.
+std::string texturedPly(const std::string& u, const std::string& v) {
+    return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float " + u +
+           "\nproperty float y\nproperty float z\nproperty float " + v +
+           "\nelement face 3\nproperty list uchar int vertex_indices\nend_header\n"
+           "0 0.1 0 0 0.6\n10 0.2 0 0 0.7\n10 0.3 30 0 0.8\n0 0.4 30 0 0.9\n0 0.5 0 9 1\n"
+           "4 0 3 2 1\n3 0 1 4\n3 0 4 3\n";
+}
+
+// The texture's place of each corner, by where that lies in the file.
+std::vector<std::pair<Vec3f, TexturePoint>> placesIn(const Mesh& mesh) {
+    std::vector<std::pair<Vec3f, TexturePoint>> places;
+    for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3f p = mesh.vertices[mesh.triangles[i][k]];
+            places.emplace_back(100 * Vec3f{-p.z, p.y, p.x}, mesh.uvs[i][k]);
+        }
+    }
+    return places;
+}
+
+TEST(PlyTexture, IsReadFromVertices) {
+    for (const auto& [u, v] :
+         {std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v")}) {
+        const Mesh mesh = meshOf("a.ply", texturedPly(u, v));
+        ASSERT_EQ(mesh.uvs.size(), 4U) << u;
+        for (const auto& [place, at] : placesIn(mesh)) {
+            const float expected = place.z > 1   ? 0.5F
+                                   : place.y > 1 ? (place.x > 1 ? 0.3F : 0.4F)
+                                                 : (place.x > 1 ? 0.2F : 0.1F);
+            EXPECT_EQ(at.u, expected);
+            EXPECT_FLOAT_EQ(at.v, expected + 0.5F);
+        }
+    }
+    EXPECT_TRUE(meshOf("a.ply", texturedPly("s", "v")).uvs.empty());
+}
+
+TEST(PlyTexture, IsReadFromFaces) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 4\nproperty list uchar float texcoord\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n10 0 0\n0 30 0\n0 0 9\n";
+    const Mesh mesh = meshOf("a.ply", head +
+                                          "6 0.1 0 0.3 0 0.2 0 3 0 2 1\n"
+                                          "6 0.5 1 0.6 1 0.8 1 3 0 1 3\n"
+                                          "4 0 0 0 0 3 0 3 2\n0 3 1 2 3\n");
+    ASSERT_EQ(mesh.uvs.size(), 4U);
+    for (const auto& [place, at] : placesIn(mesh)) {
+        if (std::isnan(at.u)) continue;
+        const float low = place.x > 1 ? 0.2F : place.y > 1 ? 0.3F : 0.1F;
+        const float high = place.x > 1 ? 0.6F : place.z > 1 ? 0.8F : 0.5F;
+        EXPECT_EQ(at.u, at.v == 1 ? high : low);
+    }
+    EXPECT_FALSE(std::isnan(mesh.uvs[1][2].u));
+    EXPECT_TRUE(std::isnan(mesh.uvs[2][0].u));
+    EXPECT_TRUE(std::isnan(mesh.uvs[3][0].u));
+}
+
 TEST(ObjTexture, RefusesWordsForNumbers) {
     const Result<Mesh> mesh = readBytes("a.obj", corners + "vt 0 up\nf 1 2 3\n");
     ASSERT_FALSE(mesh.ok());

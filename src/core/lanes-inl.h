@@ -71,6 +71,9 @@ HWY_INLINE Lanes select(LaneMask which, Lanes yes, Lanes no) {
 HWY_INLINE bool any(LaneMask which) {
     return !hn::AllFalse(Lanes::Tag(), which.m);
 }
+HWY_INLINE std::size_t count(LaneMask which) {
+    return hn::CountTrue(Lanes::Tag(), which.m);
+}
 HWY_INLINE Lanes squareRoot(Lanes x) {
     return Lanes(hn::Sqrt(x.v));
 }
@@ -122,6 +125,9 @@ HWY_INLINE double select(bool which, double yes, double no) {
 }
 HWY_INLINE bool any(bool which) {
     return which;
+}
+HWY_INLINE std::size_t count(bool which) {
+    return which ? 1 : 0;
 }
 HWY_INLINE double squareRoot(double x) {
     return std::sqrt(x);

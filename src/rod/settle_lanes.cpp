@@ -5,6 +5,8 @@
 #include "core/lane_targets.h"
 #include "rod/strand_batch.h"
 
+#include <bitset>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rod/settle_lanes.cpp"
 // Highway's file compiles this one again for each target: it comes before the kernels.
@@ -20,10 +22,12 @@ enum class Start { Cold, Given, Warm, Further };
 
 using Places = std::vector<std::uint32_t>;
 
-// Strands that are not yet at rest, and how far the loads of each have grown.
-struct Left {
-    Places places;
-    std::vector<float> shares;
+// A strand that is not yet at rest.
+struct Moving {
+    std::uint32_t place = 0;
+    float share = 1;  // how far its loads have grown
+    float shift = 0;  // of its Hessian
+    int steps = 0;    // taken in this pass
 };
 
 // Settles what only hangs and touches nothing. What would hang in something is laid on it and
@@ -54,41 +58,56 @@ void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> 
     }
 }
 
-// Settles strands side by side; those that are not yet at rest are added to `left`.
+// Settles as many strands side by side as there are lanes, and tells how far each came. Returns
+// which are at rest.
 template <class Element>
-void settleSome(Block<Lanes, Element>& block, const Left& some, std::size_t from, Start start,
-                const NewtonOptions& options, Left& left) {
-    const std::size_t size = std::min(Lanes::count, some.places.size() - from);
-    block.take(std::span(some.places).subspan(from, size));
+std::bitset<Lanes::count> settleSome(Block<Lanes, Element>& block, std::span<Moving> some,
+                                     Start start, NewtonOptions options) {
+    std::uint32_t places[Lanes::count];
+    const int steps = options.maxSteps;
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+        places[lane] = some[lane].place;
+        options.maxSteps = std::min(options.maxSteps, steps - some[lane].steps);
+    }
+    block.take(std::span(places).first(some.size()));
+    const auto numbers = [&](float Moving::*which) {
+        return gather<Lanes>(
+            [&](std::size_t lane) { return some[std::min(lane, some.size() - 1)].*which; });
+    };
     Progress<Lanes> at{};
+    at.share = numbers(&Moving::share);
+    at.shift = numbers(&Moving::shift);
     if (start == Start::Cold) {
         block.unbend();
         nudge(block);
         at.share = least(Lanes(1), Lanes(4) * reciprocal(most(block.gamma(), Lanes(1))));
     } else if (start == Start::Given) {
         block.begin();
-        at.share = Lanes(1);
     } else {
         block.load();
-        at.share = gather<Lanes>([&](std::size_t lane) {
-            return start == Start::Warm ? 1.0F
-                                        : some.shares[std::min(from + lane, from + size - 1)];
-        });
     }
     settleBlock(block, options, at);
-    const LaneMask all = Lanes(0) < Lanes(1);
-    block.store(all);
-    block.write(at, all);
 
     alignas(64) float settled[Lanes::count];
     alignas(64) float share[Lanes::count];
+    alignas(64) float shift[Lanes::count];
+    alignas(64) float taken[Lanes::count];
     storeMask(at.settled, settled);
     storeLanes(at.share, share);
-    for (std::size_t lane = 0; lane < size; ++lane) {
-        if (settled[lane] != 0) continue;
-        left.places.push_back(some.places[from + lane]);
-        left.shares.push_back(share[lane]);
+    storeLanes(at.shift, shift);
+    storeLanes(at.steps, taken);
+    std::bitset<Lanes::count> atRest;
+    bool ended = false;
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+        Moving& one = some[lane];
+        one = {one.place, share[lane], shift[lane], one.steps + static_cast<int>(taken[lane])};
+        atRest[lane] = settled[lane] != 0;
+        ended = ended || one.steps >= steps;
     }
+    const LaneMask all = Lanes(0) < Lanes(1);
+    block.store(all);
+    block.write(at, ended ? all : at.settled);
+    return atRest;
 }
 
 // Steps of one kind. Hasty ones are long.
@@ -107,15 +126,22 @@ constexpr Pass passes[] = {{100, 0.02, 6, true},
                            {10, 0.02, 60, false},
                            {100, 1, 60, false}};
 // Of hair that has been laid on what it touches, before its loads grow anew.
-constexpr Pass laidPasses[] = {{100, 0.02, 8, true, true}, {100, 0.02, 16, true, true}};
+constexpr Pass laidPass = {100, 0.02, 40, true, true};
 constexpr Pass warmPass = {100, 0.02, 4, true};
+
+// Lanes that are left for others when no more than these have work.
+constexpr std::size_t fewLanes = Lanes::count / 2;
+// Of hair that has been laid every so many strands go first.
+constexpr std::uint32_t guidesApart = 8;
+// How far apart the roots of two may be between which a third begins, over its length.
+constexpr float guidesReach = 0.1F;
 
 template <class Element>
 class Settling {
 public:
     explicit Settling(const StrandBatch& batch) : batch_(batch), block_(batch) {
         for (std::uint32_t i = 0; i < batch.strands.size(); ++i)
-            left_.places.push_back(i);
+            left_.push_back({i});
     }
 
     void run() {
@@ -129,10 +155,9 @@ public:
             settleWarm();
         } else if (!given) {
             const Places laid = hangAll();
-            const Places others = std::move(left_.places);
-            left_ = {laid, std::vector<float>(laid.size(), 1.0F)};
-            for (const Pass& one : laidPasses)
-                pass(one, Start::Further);
+            const Places others = placesLeft();
+            left_.clear();
+            settleLaid(laid);
             add(others);
         }
         for (const Pass& one : passes) {
@@ -154,7 +179,7 @@ private:
         // On the head it takes some more to find which nodes touch.
         if (batch_.world->obstacle != nullptr || batch_.world->solids != nullptr)
             pass(passes[1], Start::Further);
-        remember(left_.places, History::Renewed);
+        remember(placesLeft(), History::Renewed);
         add(renewed);
     }
 
@@ -168,17 +193,26 @@ private:
     // Takes those of a history from `left_`.
     Places take(History which) {
         Places taken;
-        Places left;
-        for (const std::uint32_t place : left_.places)
-            (history(place) == which ? taken : left).push_back(place);
-        left_.places = std::move(left);
+        std::erase_if(left_, [&](const Moving& one) {
+            if (history(one.place) != which) return false;
+            taken.push_back(one.place);
+            return true;
+        });
         return taken;
     }
 
     // Adds some to `left_`.
     void add(const Places& some) {
-        left_.places.insert(left_.places.end(), some.begin(), some.end());
-        std::ranges::sort(left_.places);
+        for (const std::uint32_t place : some)
+            left_.push_back({place});
+        std::ranges::sort(left_, {}, &Moving::place);
+    }
+
+    Places placesLeft() const {
+        Places places;
+        for (const Moving& one : left_)
+            places.push_back(one.place);
+        return places;
     }
 
     // Settles those of `left_` that only hang. Returns those that lie on what they would hang in.
@@ -186,42 +220,127 @@ private:
         Places laid;
         if constexpr (Element::freedoms == 2) {
             const Room<Hanging<Lanes>::Node> room(block_.nodes().size());
-            const Places places = std::move(left_.places);
-            left_.places.clear();
+            const Places places = placesLeft();
+            Places left;
             for (std::size_t from = 0; from < places.size(); from += Lanes::count) {
                 const std::size_t size = std::min(Lanes::count, places.size() - from);
                 hang(block_, room.items(), std::span(places).subspan(from, size), batch_.tolerance,
-                     laid, left_.places);
+                     laid, left);
             }
             remember(places, History::Hung);
             remember(laid, History::Other);
-            remember(left_.places, History::Other);
+            remember(left, History::Other);
+            left_.clear();
+            add(left);
         }
         return laid;
     }
 
+    // Hair that lies on something comes to rest much like the hair beside it. So few go first, and
+    // each of the others begins between two that are done.
+    void settleLaid(const Places& laid) {
+        std::vector<std::uint32_t> at(batch_.strands.size());  // among those laid
+        std::vector<std::uint8_t> before(laid.size());         // of its two, which are not yet done
+        for (std::uint32_t i = 0; i < laid.size(); ++i) {
+            at[laid[i]] = i;
+            const std::uint32_t apart = apartOf(i);
+            if (apart < guidesApart) before[i] = i + apart < laid.size() ? 2 : 1;
+            if (apart == guidesApart) left_.push_back({laid[i]});
+        }
+        left_ = run(laidPass, Start::Further, [&](std::uint32_t place) {
+            const std::uint32_t i = at[place];
+            for (std::uint32_t apart = apartOf(i) / 2; apart > 0; apart /= 2) {
+                for (const std::uint32_t k : {i - apart, i + apart}) {
+                    if (k >= laid.size() || --before[k] > 0) continue;
+                    if (k + apart < laid.size())
+                        beginBetween(laid[k - apart], laid[k], laid[k + apart]);
+                    left_.push_back({laid[k]});
+                }
+            }
+        });
+    }
+
+    // How far from the i-th of those laid the two are between which it begins; guides have none.
+    static std::uint32_t apartOf(std::uint32_t i) {
+        std::uint32_t apart = 1;
+        while (apart < guidesApart && i % (2 * apart) == 0)
+            apart *= 2;
+        return apart;
+    }
+
+    // If both are at rest and near.
+    void beginBetween(std::uint32_t one, std::uint32_t place, std::uint32_t other) {
+        if (!atRest(one) || !atRest(other)) return;
+        const Vec3f between = root(other) - root(one);
+        const Vec3f way = root(place) - root(one);
+        const float reach = guidesReach * batch_.rods->lengths[batch_.strands[place]];
+        const float square = std::max(dot(between, between), 1e-12F);
+        if (std::max(square, dot(way, way)) > reach * reach) return;
+        block_.mix(one, other, std::clamp(dot(way, between) / square, 0.0F, 1.0F), place);
+    }
+
+    bool atRest(std::uint32_t place) const { return batch_.states[batch_.strands[place]] != 0; }
+    Vec3f root(std::uint32_t place) const { return batch_.rods->roots[batch_.strands[place]]; }
+
     void pass(const Pass& one, Start start) {
+        left_ = run(one, start, [](std::uint32_t /*place*/) {});
+    }
+
+    // Settles what is in `left_`, which `done` may add to when a strand is at rest or has taken all
+    // its steps. Returns those that are not at rest.
+    std::vector<Moving> run(const Pass& one, Start start, const auto& done) {
         NewtonOptions options;
         options.tolerance = batch_.tolerance;
         options.maxSteps = one.steps;
         if (one.hasty) {
             options.reach = 2;
             options.growth = 2.5;
-            options.shift = one.sliding ? 1e-1 : 1e-2;
+            options.shift = one.sliding ? 0.3 : 0.01;
             options.raise = 8;
             options.lower = one.sliding ? 0.25 : 0.1;
         }
         options.worse = one.worse;
         options.curvature = one.curvature;
-        Left left;
-        for (std::size_t from = 0; from < left_.places.size(); from += Lanes::count)
-            settleSome(block_, left_, from, start, options, left);
-        left_ = std::move(left);
+        if (one.sliding) {
+            options.harmless = 0.6;
+            options.firm = 0.3;
+        }
+        // Friction would begin anew where its hair is put beside other.
+        const bool rubs =
+            batch_.world->obstacleFriction > 0 ||
+            std::ranges::any_of(batch_.world->solidFrictions, [](float f) { return f > 0; });
+        std::vector<Moving> ended;
+        for (std::size_t from = 0; from < left_.size();) {
+            // What is in the midst of its steps goes on from the state.
+            const auto begins = [&](const Moving& strand) {
+                return start != Start::Further && strand.steps == 0;
+            };
+            const bool begun = !begins(left_[from]);
+            std::size_t size = 1;
+            while (size < Lanes::count && from + size < left_.size() &&
+                   begins(left_[from + size]) != begun)
+                ++size;
+            Moving some[Lanes::count];
+            std::copy_n(left_.begin() + static_cast<std::ptrdiff_t>(from), size, some);
+            from += size;
+            options.few = rubs || from == left_.size() ? 0 : fewLanes;
+            const auto atRest = settleSome(block_, std::span(some).first(size),
+                                           begun ? Start::Further : start, options);
+            for (std::size_t lane = 0; lane < size; ++lane) {
+                if (!atRest[lane] && some[lane].steps < options.maxSteps) {
+                    left_.push_back(some[lane]);
+                    continue;
+                }
+                if (!atRest[lane]) ended.push_back({some[lane].place, some[lane].share});
+                done(some[lane].place);
+            }
+        }
+        return ended;
     }
 
     const StrandBatch& batch_;
     Block<Lanes, Element> block_;
-    Left left_;
+    std::vector<Moving> left_;
 };
 
 void settleLanesHere(const StrandBatch& batch) {

@@ -13,8 +13,11 @@ namespace kushi {
 
 namespace {
 
-// Strands that one thread settles together.
-constexpr std::size_t batchSize = 256;
+// Strands that one thread settles together: the more, the fewer lanes are idle in the end, and the
+// fewer threads have work.
+std::size_t batchSizeOf(const Rods& rods) {
+    return std::clamp<std::size_t>(rods.size() / 64, 256, 1024) / turnsAbreast * turnsAbreast;
+}
 
 // A batch's strands in the order, and their turns in RestState.
 struct Batch {
@@ -40,6 +43,7 @@ std::vector<std::uint32_t> bySegments(const Rods& rods) {
 std::vector<Batch> batchesOf(const Rods& rods, std::span<const std::uint32_t> order) {
     std::vector<Batch> batches;
     std::size_t turns = 0;
+    const std::size_t batchSize = batchSizeOf(rods);
     for (std::size_t i = 0; i < order.size();) {
         const std::size_t segments = rods.segments(order[i]);
         std::size_t end = i;

@@ -211,6 +211,26 @@ public:
         }
     }
 
+    // Turns between those of two strands, to a third; unless the two are bent too differently.
+    void mix(std::uint32_t one, std::uint32_t other, float share, std::uint32_t to) const {
+        const auto along = [&](std::size_t j) {
+            float cosine = 0;
+            for (std::size_t which = 0; which < numbers; ++which)
+                cosine += turn(one, j, which) * turn(other, j, which);
+            return cosine;
+        };
+        for (std::size_t j = 1; j <= segments_; ++j)
+            if (!(along(j) > 0.8F)) return;
+        for (std::size_t j = 1; j <= segments_; ++j) {
+            const float low = 1 - share;
+            const float scale =
+                1 / std::sqrt(low * low + share * share + 2 * low * share * along(j));
+            for (std::size_t which = 0; which < numbers; ++which)
+                turn(to, j, which) =
+                    scale * (low * turn(one, j, which) + share * turn(other, j, which));
+        }
+    }
+
     // Nodes, residuals and what has settled, to where they are wanted, of some lanes.
     HWY_INLINE void write(const Progress<V>& at, MaskOf<V> some) {
         alignas(64) ScalarOf<V> lane[2][width];
@@ -579,20 +599,21 @@ HWY_INLINE void nudge(Block<V, Element>& block) {
 
 // Brings a block to rest from the states and the share of loads that it has.
 template <class V, class Element>
-HWY_INLINE void settleBlock(Block<V, Element>& block, const NewtonOptions& options,
-                            Progress<V>& at) {
+HWY_INLINE void settleBlock(Block<V, Element>& block, NewtonOptions options, Progress<V>& at) {
     Newton<V, Element> newton(block.problem(), block.nodes(), block.contacts());
     V steps(0);
     for (int round = 0; round < 12; ++round) {
         newton.run(options, at);
         newton.place();
         steps += at.steps;
+        if (!any(at.settled)) break;
         MaskOf<V> again = V(1) < V(0);
         if (block.problem().support.any()) again = again | block.pushedOut();
         if (!block.problem().ties.empty()) again = again | block.tightened(at.settled);
         again = again & at.settled;
         if (!any(again)) break;
         at.settled = at.settled & !again;
+        options.few = 0;
     }
     at.steps = steps;
 }

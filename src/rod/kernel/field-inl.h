@@ -11,6 +11,8 @@
 #include "contact/field_probe.h"
 #include "rod/kernel/matrix-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
 
@@ -32,6 +34,9 @@ public:
     explicit LaneField(const DistanceField& field) : field_(&field) {}
 
     bool empty() const { return field_ == nullptr; }
+
+    // Of a distance that has been read, what it is at least.
+    double atLeast(double distance) const { return distance < 1 ? distance : 0; }
 
     double distance(const V3<double>& at, double /*near*/) const { return seen(at).distance; }
 
@@ -61,12 +66,18 @@ public:
         : units_(field.units.data()),
           unit_(field.unit()),
           spacing_(field.spacing),
+          rim_(std::max(0.0F, 0.02F - 2 * field.spacing)),
           origin_(everywhere(field.origin)) {
         for (int axis = 0; axis < 3; ++axis)
             size_[axis] = static_cast<float>(field.size[static_cast<std::size_t>(axis)]);
     }
 
     bool empty() const { return units_ == nullptr; }
+
+    // Of a distance that has been read, what it is at least: beyond its grid a field knows nothing.
+    HWY_INLINE Lanes atLeast(Lanes distance) const {
+        return select(distance < Lanes(1), distance, Lanes(rim_));
+    }
 
     // Where it is more than `near`, it may be less than that by up to two spacings.
     HWY_INLINE Lanes distance(const V3<Lanes>& at, Lanes near) const {
@@ -236,6 +247,7 @@ private:
 
     const std::int16_t* units_ = nullptr;
     float unit_ = 0, spacing_ = 1;
+    float rim_ = 0;  // what is two spacings from the border of the grid is so far from a solid [m]
     float size_[3] = {};
     V3<Lanes> origin_{};
 };

@@ -56,21 +56,22 @@ template <class V, class Element>
 struct Contact {
     static constexpr int m = Element::freedoms;
 
-    V layer;            // what lies between a collider and the node [m]
-    V3<V> push;         // of colliders on the node
-    V3<V> inner;        // and on the segment that ends here
-    V3<V> lever;        // of that each part by its share of the way along the segment
-    Matrix<V, 3, 3> k;  // stiffness of all that acts on the node
-    // Of what acts on the segment that ends here: in all, each part times its share of the way, and
-    // times the square of it.
-    Matrix<V, 3, 3> k0, k1, k2;
-    V distance;       // to the nearest collider
-    V3<V> anchor;     // where friction holds the node
-    V held;           // 1 where it does, else 0
-    bool stiff;       // whether k is other than 0 in any lane
-    bool stiffInner;  // or k0
+    bool stiff;       // whether push and k count
+    bool stiffInner;  // and what acts on the segment that ends here
+    bool stale;       // whether `distance` is of an earlier place, less the way from there
+    V distance;       // to the nearest collider, or less
+    V layer;          // what lies between a collider and the node [m]
+    V3<V> push;       // of colliders on the node
+    Matrix<V, 3, 3> k;
     Matrix<V, m, 3> byPlace;
     Matrix<V, 3, m> a, b;
+    V3<V> inner;  // push on the segment
+    V3<V> lever;  // of that each part by its share of the way along the segment
+    // Of what acts on the segment: in all, each part times its share of the way, and times the
+    // square of it.
+    Matrix<V, 3, 3> k0, k1, k2;
+    V3<V> anchor;  // where friction holds the node
+    V held;        // 1 where it does, else 0
 };
 
 template <class V>
@@ -89,6 +90,7 @@ struct NewtonOptions {
     double growth = 4;        // of the loads between steps
     double readiness = 0.1;   // residual below which the loads may grow
     double worse = 100;       // a step that makes the residual so many times larger is taken back
+    double harmless = 0;      // but not one that makes it no larger than this
     double recovery = 1.5;    // how fast shortened steps grow again
     // Share of a support's greatest push up to which the curvature of the surface counts while the
     // residual is large. Little is quicker while many nodes find their places; all of it is needed
@@ -99,7 +101,9 @@ struct NewtonOptions {
     double shift = 1e-3;
     double raise = 16;
     double lower = 0.25;
+    double firm = 0;  // it stays after a step that had to be shortened to less than this share
     int maxSteps = 40;
+    std::size_t few = 0;  // lanes that are left alone: others are to be put beside them
 };
 
 template <class V, class Element>
@@ -119,6 +123,8 @@ public:
         const V base = problem_.elements[0].bend;
         at.settled = V(1) < V(0);
         at.steps = V(0);
+        for (Touch& contact : contacts_)
+            contact.distance = V(-1);
         V last(1e30F);     // residual before the last step
         V allowed(1e30F);  // residual above which the step is taken back
         MaskOf<V> moved = at.settled;
@@ -148,6 +154,7 @@ public:
 
             const MaskOf<V> go = (!at.settled) & at.stable & good;
             const MaskOf<V> back = (!at.settled) & !good;
+            if (step > 0 && !any(back) && count(!at.settled) <= options.few) return;
             closing = go & (at.share >= V(1)) & (at.shift <= V(0)) & (at.residual <= V(3e-3F));
             at.residual = select(good, at.residual, before);
             if (!contacts_.empty()) {
@@ -157,7 +164,8 @@ public:
                 relaxed =
                     select(slow, most(V(0.1F), V(0.5F) * relaxed), select(moved, longer, relaxed));
             }
-            advance(go, back, stepShare(go, relaxed, number<V>(options.reach)));
+            const V taken = stepShare(go, relaxed, number<V>(options.reach));
+            advance(go, back, taken);
             at.steps = select(at.settled, at.steps, at.steps + V(1));
 
             // Small near a rest that is not stable: a strand just past buckling leaves it by the
@@ -167,13 +175,17 @@ public:
             const V lower =
                 select(at.shift < V(0.1F) * smallest, V(0), number<V>(options.lower) * at.shift);
             const V higher = most(number<V>(options.raise) * at.shift, smallest);
-            at.shift = select(go, lower, select(at.settled, at.shift, higher));
+            const V next =
+                select(taken < number<V>(options.firm) * relaxed, most(at.shift, smallest), lower);
+            at.shift = select(go, next, select(at.settled, at.shift, higher));
             const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
             const V grown =
                 select(ready, least(V(1), number<V>(options.growth) * at.share), at.share);
             const V jump = grown - at.share;
-            allowed =
-                select(go, number<V>(options.worse) * (at.residual + jump) + V(1e-3F), allowed);
+            allowed = select(go,
+                             most(number<V>(options.worse) * (at.residual + jump) + V(1e-3F),
+                                  number<V>(options.harmless)),
+                             allowed);
             last = select(go, select(jump > V(0), V(1e30F), at.residual), last);
             at.share = grown;
             moved = go;
@@ -200,15 +212,21 @@ private:
                 nodes_[j].load = (share * problem_.elements[j - 1].weight) * constantPull(j);
             return;
         }
-        place();
-        for (Touch& contact : contacts_) {
-            contact.push = contact.inner = contact.lever = {V(0), V(0), V(0)};
-            contact.k = diagonal<3>(V(0));
+        for (Touch& contact : contacts_)
             contact.stiff = contact.stiffInner = false;
-        }
         if (problem_.support.any()) {
-            for (std::size_t j = 1; j < nodes_.size(); ++j)
+            nodes_[0].position = problem_.root;
+            for (std::size_t j = 1; j < nodes_.size(); ++j) {
+                Row& node = nodes_[j];
+                const V3<V> from = node.position;
+                node.position =
+                    nodes_[j - 1].position +
+                    Element::chord(problem_.elements[j - 1], nodes_[j - 1].state, node.state);
+                contacts_[j].distance = contacts_[j].distance - nearing(node.position - from);
                 touch(j);
+            }
+        } else {
+            place();
         }
         for (const LaneTie<V>& tie : problem_.ties)
             hold(tie, share);
@@ -229,16 +247,37 @@ private:
             addForce(force, middle, pull);
         node.load = weight * pull.force;
         if (!any(pull.varies)) return;
-        stiff_ = true;
         stiffen(contacts_[j], weight * pull.stiffness, V(0.5F));
+    }
+
+    // By how much a collider may be nearer after a way: a distance changes by no more than the way,
+    // but one that has been read between samples by a little more.
+    HWY_INLINE static V nearing(const V3<V>& way) {
+        const V square = most(dot(way, way), V(1e-20F));
+        return V(1.2F) * square * inverseRoot(square);
+    }
+
+    // Nothing acts on a node yet.
+    HWY_INLINE void open(Touch& contact) {
+        if (contact.stiff) return;
+        contact.push = {V(0), V(0), V(0)};
+        contact.k = diagonal<3>(V(0));
+        contact.stiff = true;
+        stiff_ = true;
+    }
+
+    // Nor on a segment.
+    HWY_INLINE void openInner(Touch& contact) {
+        if (contact.stiffInner) return;
+        contact.inner = contact.lever = {V(0), V(0), V(0)};
+        contact.k0 = contact.k1 = contact.k2 = diagonal<3>(V(0));
+        contact.stiffInner = true;
+        stiff_ = true;
     }
 
     // What acts on a segment at a share of the way along it.
     HWY_INLINE void stiffen(Touch& contact, const Matrix<V, 3, 3>& k, V share) {
-        if (!contact.stiffInner) {
-            contact.k0 = contact.k1 = contact.k2 = diagonal<3>(V(0));
-            contact.stiffInner = true;
-        }
+        openInner(contact);
         contact.k0 = contact.k0 + k;
         contact.k1 = contact.k1 + share * k;
         contact.k2 = contact.k2 + (share * share) * k;
@@ -248,21 +287,27 @@ private:
         Touch& contact = contacts_[tie.node];
         const V stiffness = share * tie.stiffness;
         const V3<V> gap = nodes_[tie.node].position - tie.point;
+        open(contact);
         contact.push = contact.push + share * tie.force - stiffness * gap;
         contact.k = contact.k + diagonal<3>(stiffness);
-        stiff_ = contact.stiff = true;
     }
 
     // Colliders on the segment that ends at node j: on the node, and at places between.
     HWY_INLINE void touch(std::size_t j) {
         const V skin = problem_.support.skin;
         Touch& contact = contacts_[j];
-        contact.distance = press(nodes_[j].position, skin + contact.layer, [&](const auto& on) {
-            contact.push = contact.push + on.push;
-            contact.k = contact.k + on.k;
-            contact.stiff = true;
-        });
-        touchBetween(j);
+        const V top = skin + contact.layer;
+        const bool between = problem_.support.places > 1;
+        const V reach = between ? top + V(0.5F) * problem_.elements[j - 1].length : top;
+        contact.stale = !any(contact.distance < reach);
+        if (!contact.stale) {
+            contact.distance = press(nodes_[j].position, top, [&](const auto& on) {
+                open(contact);
+                contact.push = contact.push + on.push;
+                contact.k = contact.k + on.k;
+            });
+        }
+        if (between) touchBetween(j);
         if (problem_.support.frictions != nullptr) rub(j);
     }
 
@@ -272,7 +317,9 @@ private:
     HWY_INLINE void rub(std::size_t j) {
         Touch& contact = contacts_[j];
         const V3<V> at = nodes_[j].position;
-        const V3<V> push = contact.push + contact.inner;
+        V3<V> push = {V(0), V(0), V(0)};
+        if (contact.stiff) push = push + contact.push;
+        if (contact.stiffInner) push = push + contact.inner;
         const V size = squareRoot(dot(push, push));
         const MaskOf<V> lies = size > V(0);
         contact.anchor = select<V, 3>(lies & (contact.held > V(0)), contact.anchor, at);
@@ -288,6 +335,7 @@ private:
         const V share = select(sticks, V(1), limit * reciprocal(most(slid, V(1e-12F))));
         const V3<V> pulled = share * along;
         contact.anchor = at - pulled;
+        open(contact);
         contact.push = contact.push - select(lies, stiffness, V(0)) * pulled;
         contact.k = contact.k + select(lies & sticks, stiffness, V(0)) *
                                     (diagonal<3>(V(1)) - outer(normal, normal));
@@ -297,7 +345,6 @@ private:
         const V skin = problem_.support.skin;
         Touch& contact = contacts_[j];
         const int places = problem_.support.places;
-        if (places == 1) return;
         const V far = V(0.5F) * problem_.elements[j - 1].length + contact.layer + skin;
         const V nearer = j > 1 ? least(contact.distance, contacts_[j - 1].distance) : V(0);
         if (!any(nearer < far)) return;
@@ -307,9 +354,9 @@ private:
             const V before = V(1) - share;
             const V layer = before * contacts_[j - 1].layer + share * contact.layer;
             press(nodes_[j - 1].position + share * chord, skin + layer, [&](const auto& on) {
+                stiffen(contact, on.k, share);
                 contact.inner = contact.inner + on.push;
                 contact.lever = contact.lever + share * on.push;
-                stiffen(contact, on.k, share);
             });
         }
     }
@@ -326,7 +373,6 @@ private:
         const auto spring = [&](const Nearness<V>& near) HWY_ATTR {
             const MaskOf<V> within = near.distance < skin;
             touched_ = touched_ | within;
-            stiff_ = true;
             const V push = support.stiffness * most(skin - near.distance, V(0));
             const V stiffness = select(within, support.stiffness, V(0));
             apply(Pressure{
@@ -346,7 +392,7 @@ private:
         if (!support.field.empty()) {
             Nearness<V> near;
             const bool found = support.field.look(at, skin, near);
-            nearest = least(nearest, near.distance);
+            nearest = least(nearest, support.field.atLeast(near.distance));
             if (found) spring(near);
         }
         return nearest;
@@ -371,11 +417,17 @@ private:
             const auto next = Element::turned(nodes_[j].state, scale * nodes_[j].step);
             at = at + Element::chord(problem_.elements[j - 1], state, next);
             state = next;
-            const V bottom = V(0.98F) * (support.skin + contacts_[j].layer);
-            const V now = contacts_[j].distance;
-            const V then = support.distance(at, bottom);
-            const V free = now - least(bottom, V(0.5F) * now);
-            const V fall = most(now - then, V(1e-9F));
+            Touch& contact = contacts_[j];
+            const V bottom = V(0.98F) * (support.skin + contact.layer);
+            const auto freeFrom = [&](V now)
+                                      HWY_ATTR { return now - least(bottom, V(0.5F) * now); };
+            if (!any(go & (freeFrom(contact.distance) < nearing(at - nodes_[j].position))))
+                continue;
+            if (contact.stale) contact.distance = support.distance(nodes_[j].position, bottom);
+            contact.stale = false;
+            const V now = contact.distance;
+            const V free = freeFrom(now);
+            const V fall = most(now - support.distance(at, bottom), V(1e-9F));
             reach =
                 select((free < fall) & (now > V(0)), least(reach, free * reciprocal(fall)), reach);
         }
@@ -406,8 +458,14 @@ private:
             beyond = beyond + node.load;
             if (stiff_) {
                 const Touch& contact = contacts_[j];
-                carries = carries + contact.push + contact.lever;
-                beyond = beyond + contact.push + contact.inner;
+                if (contact.stiff) {
+                    carries = carries + contact.push;
+                    beyond = beyond + contact.push;
+                }
+                if (contact.stiffInner) {
+                    carries = carries + contact.lever;
+                    beyond = beyond + contact.inner;
+                }
             }
             const auto d = Element::template derive<order>(
                 problem_.elements[j - 1], nodes_[j - 1].state, node.state, carries, coupled);
@@ -467,7 +525,7 @@ private:
         // The end of the segment is displaced by u = x + a alpha + b beta, a place on it at the
         // share t of the way by x + t (a alpha + b beta). What follows is written in beta, alpha
         // and y = x + a alpha.
-        const Matrix<V, 3, 3> q = contact.k + cost.xx;
+        const Matrix<V, 3, 3> q = contact.stiff ? contact.k + cost.xx : cost.xx;
         const Matrix<V, 3, m> qb = q * d.b;
         const Matrix<V, m, 3> bt = transposed(d.b);
         const Matrix<V, m, 3> at = transposed(d.a);

@@ -2,8 +2,8 @@
 //
 // Many strands side by side in floats against the walk of one in doubles.
 #include "contact/avoidance.h"
-#include "rod/analytic_field.h"
 #include "every_target.h"
+#include "rod/analytic_field.h"
 
 #include <kushi/cantilever.h>
 #include <kushi/cantilevers.h>

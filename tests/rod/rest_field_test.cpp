@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Hair at rest on solids given as distance fields, against their closed forms.
-#include "rod/analytic_field.h"
 #include "every_target.h"
+#include "rod/analytic_field.h"
 #include "rod/rest_energy.h"
 
 #include <algorithm>

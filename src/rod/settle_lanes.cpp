@@ -25,9 +25,10 @@ using Places = std::vector<std::uint32_t>;
 // A strand that is not yet at rest.
 struct Moving {
     std::uint32_t place = 0;
-    float share = 1;  // how far its loads have grown
-    float shift = 0;  // of its Hessian
-    int steps = 0;    // taken in this pass
+    float share = 1;    // how far its loads have grown
+    float shift = 0;    // of its Hessian
+    float relaxed = 1;  // of its steps
+    int steps = 0;      // taken in this pass
 };
 
 // Settles what only hangs and touches nothing. What would hang in something is laid on it and
@@ -63,7 +64,7 @@ void hang(Block<Lanes, Straight<Lanes>>& block, std::span<Hanging<Lanes>::Node> 
 template <class Element>
 std::bitset<Lanes::count> settleSome(Block<Lanes, Element>& block, std::span<Moving> some,
                                      Start start, NewtonOptions options) {
-    std::uint32_t places[Lanes::count];
+    std::uint32_t places[Lanes::count] = {};
     const int steps = options.maxSteps;
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
         places[lane] = some[lane].place;
@@ -77,6 +78,7 @@ std::bitset<Lanes::count> settleSome(Block<Lanes, Element>& block, std::span<Mov
     Progress<Lanes> at{};
     at.share = numbers(&Moving::share);
     at.shift = numbers(&Moving::shift);
+    at.relaxed = numbers(&Moving::relaxed);
     if (start == Start::Cold) {
         block.unbend();
         nudge(block);
@@ -91,16 +93,19 @@ std::bitset<Lanes::count> settleSome(Block<Lanes, Element>& block, std::span<Mov
     alignas(64) float settled[Lanes::count];
     alignas(64) float share[Lanes::count];
     alignas(64) float shift[Lanes::count];
+    alignas(64) float relaxed[Lanes::count];
     alignas(64) float taken[Lanes::count];
     storeMask(at.settled, settled);
     storeLanes(at.share, share);
     storeLanes(at.shift, shift);
+    storeLanes(at.relaxed, relaxed);
     storeLanes(at.steps, taken);
     std::bitset<Lanes::count> atRest;
     bool ended = false;
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
         Moving& one = some[lane];
-        one = {one.place, share[lane], shift[lane], one.steps + static_cast<int>(taken[lane])};
+        one = {one.place, share[lane], shift[lane], relaxed[lane],
+               one.steps + static_cast<int>(taken[lane])};
         atRest[lane] = settled[lane] != 0;
         ended = ended || one.steps >= steps;
     }

@@ -357,6 +357,38 @@ TEST(RestField, OfABallIsThatOnTheEllipsoid) {
     EXPECT_LT(gaps.back(), 2e-3);
 }
 
+// A row of hair as near to each other as on a head, which begins where the hair beside it ended.
+TEST(RestField, HairRestsInARowWhereItRestsAlone) {
+    const Body body = bust();
+    Rods row;
+    for (int i = 0; i < 2 * hairs; ++i) {
+        const double turn = radians(-60 + 120.0 * i / (2 * hairs));
+        const Vec3d up = normalized(Vec3d{std::sin(turn), 1, 0.7 * std::cos(turn)});
+        Vec3d root = body.middle + 0.09 * up;
+        for (int step = 0; step < 30; ++step)
+            root = root - body.distance(root) * normalOf(body.distance, root);
+        addHair(row, root, normalOf(body.distance, root), 0.24, 25);
+    }
+    RodWorld world;
+    world.solids = &body.field;
+    world.gravity = {0.2, -1, 0.1};
+    const Settled together = rest::settle(row, world);
+    EXPECT_EQ(listed(together), 0);
+    std::vector<Vec3f> alone(row.nodeCount());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        Rods one;
+        addHair(one, row.roots[i].as<double>(), directionOf(row.clamps[i]), 0.24, 25);
+        one.keys = {row.keys[i]};
+        const Settled settled = rest::settle(one, world);
+        std::ranges::copy(settled.nodes, &alone[row.firstNode(i)]);
+    }
+    int others = 0;
+    for (std::size_t i = 0; i < row.size(); ++i)
+        others += rest::gap(row, i, together.nodes, alone) > 1e-3 * row.lengths[i] ? 1 : 0;
+    // Where it may fall to either side of a shoulder it falls as its neighbours do.
+    EXPECT_LE(others, static_cast<int>(row.size()) / 50);
+}
+
 // (Not on the floor, where nothing holds hair that grows straight up from turning about its root.)
 TEST(RestField, WarmEndsWhereColdDoes) {
     int others = 0, all = 0;

@@ -613,6 +613,7 @@ HWY_INLINE void settleBlock(Block<V, Element>& block, NewtonOptions options, Pro
         again = again & at.settled;
         if (!any(again)) break;
         at.settled = at.settled & !again;
+        at.relaxed = V(1);
         options.few = 0;
     }
     at.steps = steps;

@@ -36,7 +36,9 @@ public:
     bool empty() const { return field_ == nullptr; }
 
     // Of a distance that has been read, what it is at least.
-    double atLeast(double distance) const { return distance < 1 ? distance : 0; }
+    double atLeast(double distance) const {
+        return distance < 1 ? distance : std::max(0.0, 0.02 - 2 * double{field_->spacing});
+    }
 
     double distance(const V3<double>& at, double /*near*/) const { return seen(at).distance; }
 

@@ -137,6 +137,11 @@ struct Support {
         return nearest;
     }
 
+    // Of a distance that has been read, what it is at least.
+    HWY_INLINE V atLeast(V distance) const {
+        return field.empty() ? distance : field.atLeast(distance);
+    }
+
     // Coulomb's coefficient of the nearest surface.
     HWY_INLINE V friction(const V3<V>& at) const {
         alignas(64) ScalarOf<V> where[3][LaneTraits<V>::count];

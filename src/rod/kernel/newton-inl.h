@@ -76,10 +76,11 @@ struct Contact {
 
 template <class V>
 struct Progress {
-    V share;     // of the loads that has been put on, in (0, 1]
-    V shift;     // added to the Hessian's diagonal [N m]
-    V residual;  // largest imbalance of moments over momentScale at the last evaluation
-    V steps;     // taken
+    V share;       // of the loads that has been put on, in (0, 1]
+    V shift;       // added to the Hessian's diagonal [N m]
+    V residual;    // largest imbalance of moments over momentScale at the last evaluation
+    V steps;       // taken
+    V relaxed{1};  // shortens steps that make no way, as between loads that chase each other
     MaskOf<V> stable;
     MaskOf<V> settled;
 };
@@ -129,7 +130,7 @@ public:
         V allowed(1e30F);  // residual above which the step is taken back
         MaskOf<V> moved = at.settled;
         MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
-        V relaxed(1);  // shortens steps that make no way, as between loads that chase each other
+        V& relaxed = at.relaxed;
         for (int step = 0;; ++step) {
             const V little = number<V>(options.curvature);
             curvature_ = step == 0 ? little : select(at.residual < V(1e-2F), V(1), little);
@@ -392,7 +393,7 @@ private:
         if (!support.field.empty()) {
             Nearness<V> near;
             const bool found = support.field.look(at, skin, near);
-            nearest = least(nearest, support.field.atLeast(near.distance));
+            nearest = least(nearest, support.atLeast(near.distance));
             if (found) spring(near);
         }
         return nearest;
@@ -423,7 +424,8 @@ private:
                                       HWY_ATTR { return now - least(bottom, V(0.5F) * now); };
             if (!any(go & (freeFrom(contact.distance) < nearing(at - nodes_[j].position))))
                 continue;
-            if (contact.stale) contact.distance = support.distance(nodes_[j].position, bottom);
+            if (contact.stale)
+                contact.distance = support.atLeast(support.distance(nodes_[j].position, bottom));
             contact.stale = false;
             const V now = contact.distance;
             const V free = freeFrom(now);

@@ -22,9 +22,9 @@ struct PushOutReport {
 };
 
 /// Turns segments of a groom, from the roots outwards, until no place of a strand is in solids or
-/// nearer than half a millimetre: by as little as it takes, so that a strand that ends in a head
-/// lies around it, and what is beyond goes with it and keeps its direction; one that runs straight
-/// into a face goes on along it, or down. Roots stay, and a
+/// nearer than 0.3 of the field's spacing, 0.75 mm as a rule: by as little as it takes, so that a
+/// strand that ends in a head lies around it, and what is beyond goes with it and keeps its
+/// direction; one that runs straight into a face goes on along it, or down. Roots stay, and a
 /// strand whose root lies in solids comes out of them at a slant. Lengths stay. The same nodes from
 /// any number of threads.
 PushOutReport pushOut(const DistanceField& solids, Strands& groom, int threads = 0);

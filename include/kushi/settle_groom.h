@@ -44,9 +44,9 @@ struct SettledStrands {
 /// from the groom as it is, and each strand takes the rest that this leads to; where nothing has
 /// changed, nodes stay within 1e-4 of the strand's length.
 ///
-/// What lies in solids, or nearer to them than half a millimetre, is turned out first, as pushOut()
-/// does, and set there; then strands rest against the solids, from where they come out of them by
-/// their roots. Other hair is in nobody's way.
+/// What lies in solids, or nearer to them than pushOut() allows, is turned out first, and set
+/// there; then strands rest against the solids, from where they come out of them by their roots.
+/// Other hair is in nobody's way.
 ///
 /// The same groom gives the same nodes from any number of threads.
 Result<SettledStrands> settleGroom(const Strands& groom, const GroomSettleOptions& options = {});

@@ -8,6 +8,12 @@
 
 namespace kushi {
 
+/// How far off solids strands are kept in the end [m]: about as much as their field may be wrong,
+/// which is most at the rims of ears.
+inline double marginOf(const DistanceField& solids) {
+    return 0.3 * static_cast<double>(solids.spacing);
+}
+
 /// How a strand lies.
 enum class Pushed {
     No,     ///< it was outside

@@ -31,8 +31,7 @@ Penetration penetrationOf(const DistanceField& solids, const Strands& groom, int
 }
 
 Pushed pushOneOut(const DistanceField& solids, std::span<Vec3f> nodes) {
-    // More than a distance field may be wrong.
-    constexpr double margin = 5e-4;
+    const double margin = marginOf(solids);
     if (nodes.size() < 2 || clearance(solids, nodes, margin) >= margin) return Pushed::No;
     return pushOut(solids, margin, nodes) ? Pushed::Out : Pushed::Stuck;
 }

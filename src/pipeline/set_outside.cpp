@@ -3,6 +3,7 @@
 
 #include "contact/field_probe.h"
 #include "core/parallel.h"
+#include "pipeline/push_all_out.h"
 #include "rod/strand_batch.h"
 
 #include <kushi/push_out.h>
@@ -14,8 +15,7 @@ namespace kushi {
 
 namespace {
 
-constexpr std::size_t together = 64;  // strands of one thread
-constexpr double out = 4e-4;          // from here on a strand is out; pushOut() brings it there [m]
+constexpr std::size_t together = 64;   // strands of one thread
 constexpr double shortestStep = 2e-4;  // along a segment [m]
 constexpr double apart = 2e-5;         // left between a strand and what is to push it [m]
 constexpr float wholeAfter = 1e-4F;    // a strand's own skin counts from so far from its clamp [m]
@@ -33,6 +33,8 @@ struct Exit {
 };
 
 Exit exitOf(const DistanceField& solids, std::span<const Vec3f> nodes) {
+    // Where pushOut() certainly brings it.
+    const double out = 0.8 * marginOf(solids);
     for (std::size_t j = 0; j + 1 < nodes.size(); ++j) {
         const Vec3d from = nodes[j].as<double>();
         const Vec3d way = nodes[j + 1].as<double>() - from;

@@ -14,7 +14,7 @@ void Palette::begin(const TileItems& items) {
     paints_[0] = background_;
 }
 
-void Palette::mixFor(const SampleTile& samples) {
+void Palette::mixFor(const SampleTile& samples, int supersample) {
     for (const SampleTile::Key key : samples.all())
         shown_[SampleTile::id(key)] = 1;
     const std::size_t segments = items_.segments.size();
@@ -29,6 +29,24 @@ void Palette::mixFor(const SampleTile& samples) {
     for (std::size_t i = 0; i < items_.triangles.size(); ++i) {
         const std::size_t id = segments + i + 1;
         if (shown_[id] != 0) paints_[id] = trianglePaint(items_.triangles[i]);
+    }
+    makeRound(samples, supersample);
+}
+
+void Palette::makeRound(const SampleTile& samples, int supersample) {
+    roundings_.clear();
+    if (!scene_.round()) return;
+    for (std::size_t i = 0; i < items_.segments.size(); ++i) {
+        if (shown_[i + 1] == 0) continue;
+        const std::optional<ScreenSegment> segment = scene_.segment(items_.segments[i]);
+        if (!segment || !scene_.isRibbon(*segment)) continue;
+        const auto& [a, b, from, to] = *segment;
+        const Rounding rounding = roundingOf({a.x - samples.x(), a.y - samples.y()},
+                                             {b.x - samples.x(), b.y - samples.y()},
+                                             0.5 * (a.width + b.width), supersample);
+        if (rounding.strength == 0) continue;
+        roundings_.resize(items_.segments.size() + items_.triangles.size() + 1);
+        roundings_[i + 1] = rounding;
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/paint.h"
+#include "render/rounding.h"
 #include "render/tile.h"
 #include "render/tiles.h"
 
@@ -30,13 +31,19 @@ public:
     void begin(const TileItems& items);
 
     /// Mixes the colours of what samples show, in the order of ids, which is that of memory.
-    void mixFor(const SampleTile& samples);
+    ///
+    /// supersample  samples per pixel along each axis
+    void mixFor(const SampleTile& samples, int supersample);
 
-    /// Of an id that samples show.
-    const Paint& operator[](std::uint32_t id) const { return paints_[id]; }
+    /// Of an id that samples show, at the centre of the sample (x, y) of the tile.
+    Float4 at(std::uint32_t id, float x, float y) const {
+        const Float4 color = paints_[id].at(x, y);
+        return roundings_.empty() ? color : roundings_[id].at(x, y) * color;
+    }
 
 private:
     Paint segmentPaint(std::uint32_t node) const;
+    void makeRound(const SampleTile& samples, int supersample);
     Paint trianglePaint(std::uint32_t index) const;
 
     const Scene& scene_;
@@ -44,6 +51,7 @@ private:
     Paint background_;
     TileItems items_;
     std::vector<Paint> paints_;
+    std::vector<Rounding> roundings_;  // as paints_; none where no strand is wide enough
     std::vector<std::uint8_t> shown_;
 };
 

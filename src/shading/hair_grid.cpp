@@ -136,9 +136,9 @@ HairGrid hairGrid(const Strands& strands, int cells, int threads) {
     const Vec3f extent = bounds.high - bounds.low;
     const float longest = std::max({extent.x, extent.y, extent.z});
     grid.size = std::max(smallest, longest / static_cast<float>(cells));
-    // Hair thins out over a cube of margin; in the outermost there is none.
-    grid.low = bounds.low - 2 * grid.size * Vec3f{1, 1, 1};
-    const auto along = [&](float size) { return 5 + static_cast<int>(size / grid.size); };
+    // Hair thins out over a cube of margin; in the outermost there is none, rounded as it may be.
+    grid.low = bounds.low - 2.001F * grid.size * Vec3f{1, 1, 1};
+    const auto along = [&](float size) { return 6 + static_cast<int>(size / grid.size); };
     grid.counts = {along(extent.x), along(extent.y), along(extent.z)};
     grid.cells.resize(grid.index(0, 0, grid.counts[2]));
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int gridCells = 64;          // along the longest side of the hair
 constexpr float ownHair = 1;           // cubes: what is seen is the outermost of its own
+constexpr float skinDeeper = 0.45F;    // cubes: skin lies beneath what hair is near it
 constexpr std::size_t skyLights = 16;  // that stand for light from everywhere
 constexpr float mostCrossings = 14;    // where nothing of the sky comes
 constexpr float texel = 0.005F;        // of the head's maps for the lights [m]
@@ -166,16 +167,19 @@ Shadows::Sky Shadows::at(Vec3f place, Vec3f side, std::span<Passage> distant) co
 float Shadows::onSkin(Vec3f place, Vec3f normal, float blocked, std::span<float> distant) const {
     const Vec3f right = -penumbra * anyNormal(normal);
     const Vec3f up = cross(normal, right);
+    const HairGrid& grid = fields_->grid;
+    const Vec3f deeper = -skinDeeper * grid.size * normal;
     std::vector<Passage> passages(distant.size());
+    std::vector<Passage> beneath(distant.size());
     std::ranges::fill(distant, 0.0F);
     for (const Vec3f from : {place, place + right, place - right, place + up, place - up}) {
         at(from, normal, passages);
+        at(from + deeper, normal, beneath);
         for (std::size_t i = 0; i < distant.size(); ++i)
-            distant[i] += 0.2F * passages[i].free * std::exp(-blocked * passages[i].crossings);
+            distant[i] += 0.2F * passages[i].free * std::exp(-blocked * beneath[i].crossings);
     }
 
-    const HairGrid& grid = fields_->grid;
-    const std::size_t cube = grid.empty() ? 0 : grid.cubeAt(place);
+    const std::size_t cube = grid.empty() ? 0 : grid.cubeAt(place + deeper);
     float sum = 0;
     float weights = 0;
     for (const FarLight& light : fields_->sky) {

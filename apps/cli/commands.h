@@ -62,6 +62,7 @@ struct RenderArguments {
     std::string input, output, reportPath;
     std::string size = "1024x1024";
     std::string view = "three-quarter";
+    std::string zoom;  ///< as given
     std::string look = "natural";
     std::string layers;  ///< as given, separated by commas
     bool alpha = false;

@@ -194,6 +194,9 @@ void addRender(CLI::App& program, RenderArguments& arguments, int& status) {
             "front, back, left, right, top, three-quarter, or YAW,PITCH in degrees (left: from the "
             "person's left)")
         ->capture_default_str();
+    command->add_option("--zoom", arguments.zoom,
+                        "TIMES,X,Y: so many times as large, about a place of the picture, 0 to 1 "
+                        "from its left and top");
     addLook(*command, arguments.look);
     addEngineFlags(*command, arguments);
     addSettleFlags(*command, arguments.flags);

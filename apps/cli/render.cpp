@@ -5,6 +5,7 @@
 #include "report.h"
 #include "scene.h"
 #include "showing.h"
+#include "zoom.h"
 
 #include <cstdio>
 #include <optional>
@@ -77,6 +78,8 @@ int runRender(const RenderArguments& arguments) {
     if (!size) return report(size.problems());
     const Result<View> view = parseView(arguments.view);
     if (!view) return report(view.problems());
+    const Result<Zoom> zoom = arguments.zoom.empty() ? Zoom() : parseZoom(arguments.zoom);
+    if (!zoom) return report(zoom.problems());
     if (const Status flags = checkEngine(arguments); !flags) return report(flags.problems());
     if (const Status ending = hasEnding(arguments.output, {".png", ".exr"}, "the picture");
         !ending) {
@@ -100,7 +103,9 @@ int runRender(const RenderArguments& arguments) {
     const Look look = lookNamed(arguments.look);
     prepare(*scene, look, arguments.flags.threads, clock);
     const DrawOptions options = drawOptions(*size, arguments.stroke, look, arguments.flags.threads);
-    const Camera camera = portrait(*scene, *view, static_cast<double>(size->first) / size->second);
+    const double aspect = static_cast<double>(size->first) / size->second;
+    Camera camera = portrait(*scene, *view, aspect);
+    if (!arguments.zoom.empty()) camera = zoomed(camera, *zoom, aspect);
     const std::optional<Layers> wanted =
         exr || arguments.alpha ? std::optional(*layers) : std::nullopt;
     if (const Status written = renderTo(arguments, *scene, camera, options, wanted, clock);

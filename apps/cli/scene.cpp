@@ -187,6 +187,7 @@ DrawOptions drawOptions(std::pair<int, int> size, const StrokeFlags& flags, Look
                      : flags.stroke == "analytic" ? Stroke::Analytic
                                                   : Stroke::Sampled;
     options.widen = static_cast<float>(flags.widen);
+    options.round = look == Look::Natural;
     return options;
 }
 

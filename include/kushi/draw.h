@@ -31,6 +31,9 @@ struct DrawOptions {
     /// Times the diameter, for strokes that have one: k where only every k-th strand is drawn, so
     /// that as much stays covered. In (0, 1e6].
     float widen = 1;
+    /// Strands wider than two pixels are brighter in their middle than at their edges, and as
+    /// bright on average.
+    bool round = false;
 };
 
 /// Draws strands with a colour per node interpolated along each segment, and the mesh's triangles

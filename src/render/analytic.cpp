@@ -3,6 +3,7 @@
 
 #include "render/resolve.h"
 #include "render/ribbon.h"
+#include "render/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ AnalyticPainter::AnalyticPainter(const Scene& scene, const TileGrid& grid, const
       image_(image),
       layers_(layers),
       sampler_(scene, grid),
-      palette_(scene, colors, options.background),
+      palette_(scene, colors, options.background, options.supersample),
       area_(grid.tileSize() / options.supersample),
       blend_(grid.tileSize() / options.supersample) {
     if (layers != nullptr) meshLayers_.emplace(scene, options.supersample, *layers);
@@ -120,13 +121,17 @@ void AnalyticPainter::drawSegment(std::uint32_t node, const ScreenSegment& segme
     const auto perX = static_cast<float>(x * inverse);
     const auto perY = static_cast<float>(y * inverse);
     const auto start = static_cast<float>(((0.5 - a.x) * x + (0.5 - a.y) * y) * inverse);
+    const double width = 0.5 * perSample * (segment.a.width + segment.b.width);
+    const Rounding rounding = scene_.round() ? roundingOf(a, b, width, 1) : Rounding();
     area_.cover(corners, [&](int column, int row, float area) {
         if (!blend_.isOpen(column, row)) return;
         const float along =
             start + static_cast<float>(column) * perX + static_cast<float>(row) * perY;
         const Float4 value = atA + std::clamp(along, 0.0F, 1.0F) * change;
         const float seen = solids_.seen(column, row, value[3]);
-        if (seen > 0) blend_.add(column, row, node, area * seen, value / value[3]);
+        if (seen <= 0) return;
+        const float round = rounding.at(static_cast<float>(column), static_cast<float>(row));
+        blend_.add(column, row, node, area * seen, value * (round / value[3]));
     });
 }
 

@@ -23,7 +23,7 @@ public:
         : supersample_(options.supersample),
           image_(image),
           sampler_(scene, grid),
-          palette_(scene, colors, options.background) {
+          palette_(scene, colors, options.background, options.supersample) {
         if (layers != nullptr) layers_.emplace(scene, options.supersample, *layers);
     }
 

@@ -19,6 +19,7 @@ void Palette::mixFor(const SampleTile& samples) {
         shown_[SampleTile::id(key)] = 1;
     const std::size_t segments = items_.segments.size();
     segments_.clear();
+    roundings_.clear();
     for (std::size_t i = 0; i < segments; ++i) {
         if (shown_[i + 1] != 0) segments_.push_back(items_.segments[i]);
     }
@@ -28,7 +29,7 @@ void Palette::mixFor(const SampleTile& samples) {
         if (shown_[i + 1] == 0) continue;
         constexpr std::size_t ahead = 8;
         if (next + ahead < segments_.size()) scene_.prefetch(segments_[next + ahead]);
-        paints_[i + 1] = segmentPaint(segments_[next], ends_[next]);
+        mixSegment(segmentId(i), segments_[next], ends_[next]);
         ++next;
     }
     for (std::size_t i = 0; i < items_.triangles.size(); ++i) {
@@ -37,10 +38,21 @@ void Palette::mixFor(const SampleTile& samples) {
     }
 }
 
-Paint Palette::segmentPaint(std::uint32_t node, const EndColors::Ends& ends) const {
+void Palette::mixSegment(std::uint32_t id, std::uint32_t node, const EndColors::Ends& ends) {
     const std::optional<ScreenSegment> segment = scene_.segment(node);
-    if (!segment) return {};  // nor has it been drawn
-    return paintOf(*segment, ends.first, ends.last, items_.x, items_.y);
+    if (!segment) return;  // nor has it been drawn
+    paints_[id] = paintOf(*segment, ends.first, ends.last, items_.x, items_.y);
+    if (scene_.round() && scene_.isRibbon(*segment)) makeRound(id, *segment);
+}
+
+void Palette::makeRound(std::uint32_t id, const ScreenSegment& segment) {
+    const auto& [a, b, from, to] = segment;
+    const Rounding rounding =
+        roundingOf({a.x - items_.x, a.y - items_.y}, {b.x - items_.x, b.y - items_.y},
+                   0.5 * (a.width + b.width), supersample_);
+    if (rounding.strength == 0) return;
+    roundings_.resize(items_.segments.size() + items_.triangles.size() + 1);
+    roundings_[id] = rounding;
 }
 
 Paint Palette::trianglePaint(std::uint32_t index) const {

@@ -3,6 +3,7 @@
 
 #include "render/end_colors.h"
 #include "render/paint.h"
+#include "render/rounding.h"
 #include "render/tile.h"
 #include "render/tiles.h"
 
@@ -16,8 +17,12 @@ namespace kushi {
 /// as most things are hidden by others.
 class Palette {
 public:
-    Palette(const Scene& scene, const NodeColors& colors, Rgb background)
-        : scene_(scene), colors_(colors), background_(paintOf(background)) {}
+    /// supersample  samples per pixel along each axis
+    Palette(const Scene& scene, const NodeColors& colors, Rgb background, int supersample)
+        : scene_(scene),
+          colors_(colors),
+          background_(paintOf(background)),
+          supersample_(supersample) {}
 
     static std::uint32_t segmentId(std::size_t index) {
         return static_cast<std::uint32_t>(index + 1);
@@ -32,18 +37,24 @@ public:
     /// Mixes the colours of what samples show, in the order of ids, which is that of memory.
     void mixFor(const SampleTile& samples);
 
-    /// Of an id that samples show.
-    const Paint& operator[](std::uint32_t id) const { return paints_[id]; }
+    /// Of an id that samples show, at the centre of the sample (x, y) of the tile.
+    Float4 at(std::uint32_t id, float x, float y) const {
+        const Float4 color = paints_[id].at(x, y);
+        return roundings_.empty() ? color : roundings_[id].at(x, y) * color;
+    }
 
 private:
-    Paint segmentPaint(std::uint32_t node, const EndColors::Ends& ends) const;
+    void mixSegment(std::uint32_t id, std::uint32_t node, const EndColors::Ends& ends);
+    void makeRound(std::uint32_t id, const ScreenSegment& segment);
     Paint trianglePaint(std::uint32_t index) const;
 
     const Scene& scene_;
     const NodeColors& colors_;
     Paint background_;
+    int supersample_;
     TileItems items_;
     std::vector<Paint> paints_;
+    std::vector<Rounding> roundings_;  // as paints_; none where no strand is wide enough
     std::vector<std::uint8_t> shown_;
     std::vector<std::uint32_t> segments_;  // those shown
     EndColors ends_;

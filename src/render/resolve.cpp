@@ -38,7 +38,7 @@ Float4 mean(const PixelIds<side>& ids, Palette& palette, int x, int y) {
                 ++next;
             const float middle = static_cast<float>(y) + 0.5F * static_cast<float>(row + end - 1);
             sum +=
-                static_cast<float>(end - row) * palette[id].at(static_cast<float>(column), middle);
+                static_cast<float>(end - row) * palette.at(id, static_cast<float>(column), middle);
         }
     }
     return sum / static_cast<float>(side * side);

@@ -48,6 +48,7 @@ Scene::Scene(const Strands& strands, const Mesh& mesh, const Projection& project
       nodes_(project(projection, strands.nodes, options.threads)),
       vertices_(project(projection, mesh.vertices, options.threads)),
       widestLine_(options.stroke == Stroke::Analytic ? -1 : Line::widest),
+      round_(options.round),
       widthScale_(options.stroke == Stroke::Line ? 0 : options.widen * projection.focalLength()) {
     begins_.assign(nodes_.size() + 1, 0);
     for (const std::uint32_t first : strands.offsets)

@@ -101,6 +101,8 @@ public:
     ScreenPolygon triangle(std::uint32_t index) const;
     /// Whether a segment is drawn as a ribbon and not as a line.
     bool isRibbon(const ScreenSegment& segment) const { return segment.widest() > widestLine_; }
+    /// Whether wide strands are to look round.
+    bool round() const { return round_; }
     bool beginsStrand(std::uint32_t node) const { return begins_[node] != 0; }
     bool endsStrand(std::uint32_t node) const { return begins_[std::size_t{node} + 1] != 0; }
     /// Asks the memory for a segment that will be wanted soon.
@@ -122,6 +124,7 @@ private:
     std::vector<StoredPoint> nodes_, vertices_;
     std::vector<std::uint8_t> begins_;  // by node, and one more
     double widestLine_;                 // samples
+    bool round_;
     double widthScale_;  // samples of a metre at a metre; 0: all strands are one sample wide
 };
 

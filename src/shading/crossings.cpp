@@ -91,7 +91,8 @@ std::vector<float> crossingsTowards(const HairGrid& grid, Vec3f towardsLight, fl
                     (perMetre + before.perMetre(row + rowStep, column + columnStep, between));
                 here.perMetre(row, column) = perMetre;
                 here.crossed(row, column) = sofar + onTheWay;
-                crossed[cell] = sofar + (1 - share) * onTheWay;
+                // Where there is no hair, none of it is its own.
+                crossed[cell] = sofar + (perMetre > 0 ? 1 - share : 1) * onTheWay;
             }
         }
         std::swap(before, here);

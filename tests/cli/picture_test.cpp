@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
+#include <kushi/image.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,6 +29,38 @@ TEST(RenderCommand, WritesAPngOfTheSizeAskedForAndTheSameBytesFromAnyThreads) {
         EXPECT_EQ(pngSize(bytes), (std::pair<std::uint32_t, std::uint32_t>(200, 100)));
         if (first.empty()) first = bytes;
         EXPECT_TRUE(bytes == first) << threads;
+    }
+}
+
+// A zoomed picture is a cut of a larger one.
+TEST(RenderCommand, ZoomsToAPlaceOfThePicture) {
+    const std::string folder = freshFolder();
+    writeText(folder + "/a.toml", smallStyle());
+    const auto render = [&](const std::string& flags, const std::string& name) {
+        const std::string path = folder + "/" + name + ".png";
+        const Outcome run =
+            runKushi("render " + folder + "/a.toml --look paper -o " + path + " " + flags);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return *readGreyPng(path);
+    };
+    const GreyImage large = render("--size 800x800", "large");
+    const GreyImage part = render("--size 200x200 --zoom 4,0.375,0.25", "part");
+    const auto difference = [&](int left, int top) {
+        double sum = 0;
+        for (int y = 0; y < 200; ++y) {
+            for (int x = 0; x < 200; ++x)
+                sum += std::abs(large.pixels[static_cast<std::size_t>((top + y) * 800 + left + x)] -
+                                part.pixels[static_cast<std::size_t>(y * 200 + x)]);
+        }
+        return sum / (200 * 200 * 65535.0);
+    };
+    EXPECT_LT(difference(200, 100), 0.5 * difference(200, 120));
+    EXPECT_LT(difference(200, 100), 0.5 * difference(220, 100));
+    for (const char* zoom : {"0.5", "2,0.5", "2,0.5,1.5", "2,0.5,0.5,1", "near", "2;3;4"}) {
+        const Outcome run =
+            runKushi("render " + folder + "/a.toml -o " + folder + "/b.png --zoom '" + zoom + "'");
+        EXPECT_EQ(run.status, 2) << zoom;
+        EXPECT_NE(run.err.find("--zoom is TIMES"), std::string::npos) << run.err;
     }
 }
 

@@ -310,10 +310,12 @@ private:
             options.harmless = 0.6;
             options.firm = 0.3;
         }
-        // Friction would begin anew where its hair is put beside other.
-        const bool rubs =
-            batch_.world->obstacleFriction > 0 ||
-            std::ranges::any_of(batch_.world->solidFrictions, [](float f) { return f > 0; });
+        // Free hair takes about as many steps each, and friction would begin anew where its hair is
+        // put beside other.
+        const RodWorld& world = *batch_.world;
+        const bool parts =
+            (world.obstacle != nullptr || world.solids != nullptr) && world.obstacleFriction <= 0 &&
+            std::ranges::none_of(world.solidFrictions, [](float f) { return f > 0; });
         std::vector<Moving> ended;
         for (std::size_t from = 0; from < left_.size();) {
             // What is in the midst of its steps goes on from the state.
@@ -328,7 +330,7 @@ private:
             Moving some[Lanes::count];
             std::copy_n(left_.begin() + static_cast<std::ptrdiff_t>(from), size, some);
             from += size;
-            options.few = rubs || from == left_.size() ? 0 : fewLanes;
+            options.few = parts && from < left_.size() ? fewLanes : 0;
             const auto atRest = settleSome(block_, std::span(some).first(size),
                                            begun ? Start::Further : start, options);
             for (std::size_t lane = 0; lane < size; ++lane) {

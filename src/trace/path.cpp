@@ -123,7 +123,8 @@ private:
         const Sky& sky = world_.sky();
         const float sum = shareDiscs(point, sky, weight_, shares_);
         rays_ = std::clamp(std::nearbyint(sum / (perRay * sky.power)), 1.0F, mostRays);
-        for (float ray = 0; ray < rays_; ++ray) {
+        for (int i = 0; i < static_cast<int>(rays_); ++i) {
+            const auto ray = static_cast<float>(i);
             // Evenly spread over the discs, and over each of them (Roberts's R2 sequence).
             addDisc(point, fraction(choice + ray / rays_),
                     {fraction(place.u + ray * 0.75487767F), fraction(place.v + ray * 0.56984029F)},

@@ -289,6 +289,11 @@ TEST(GroomOnSolids, PartsOfStylesDoAsWell) {
     ASSERT_EQ(lying.report.penetration.size(), 1U);
     EXPECT_EQ(lying.report.penetration[0].part, "scan");
     EXPECT_EQ(lying.report.penetration[0].found.strands, 0U);
+    const DistanceField solids = block();
+    GroomSettleOptions options;
+    options.solids = &solids;
+    options.set = 0;
+    EXPECT_LT(farthest(lying.strands, settleGroom(beams(0.01F), options)->strands), 1e-4F);
 
     style.colliders.clear();
     const SettledGroom free = settled(style);

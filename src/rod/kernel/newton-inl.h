@@ -138,10 +138,14 @@ public:
             const V before = at.residual;
             if (any(closing) && !any(!(closing | at.settled))) {
                 sweep<Order::Gradient>(at);
+                at.residual = select(at.settled, before, at.residual);
                 at.settled = at.settled | (at.residual <= number<V>(options.tolerance));
                 if (!any(!at.settled)) return;
             }
+            // What is at rest keeps the residual that told so: another sweep rounds otherwise.
+            const V told = at.residual;
             sweep<Order::Hessian>(at);
+            at.residual = select(at.settled, told, at.residual);
             const MaskOf<V> good = at.residual <= allowed;
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
             // With a shift the pivots tell nothing about stability: an upright strand has no

@@ -15,6 +15,8 @@ void Palette::begin(const TileItems& items) {
 }
 
 void Palette::mixFor(const SampleTile& samples, int supersample) {
+    supersample_ = supersample;
+    roundings_.clear();
     for (const SampleTile::Key key : samples.all())
         shown_[SampleTile::id(key)] = 1;
     const std::size_t segments = items_.segments.size();
@@ -24,35 +26,29 @@ void Palette::mixFor(const SampleTile& samples, int supersample) {
             scene_.prefetch(items_.segments[i + ahead]);
             __builtin_prefetch(&colors_[items_.segments[i + ahead]]);
         }
-        if (shown_[i + 1] != 0) paints_[i + 1] = segmentPaint(items_.segments[i]);
+        if (shown_[i + 1] != 0) paints_[i + 1] = segmentPaint(i);
     }
     for (std::size_t i = 0; i < items_.triangles.size(); ++i) {
         const std::size_t id = segments + i + 1;
         if (shown_[id] != 0) paints_[id] = trianglePaint(items_.triangles[i]);
     }
-    makeRound(samples, supersample);
 }
 
-void Palette::makeRound(const SampleTile& samples, int supersample) {
-    roundings_.clear();
-    if (!scene_.round()) return;
-    for (std::size_t i = 0; i < items_.segments.size(); ++i) {
-        if (shown_[i + 1] == 0) continue;
-        const std::optional<ScreenSegment> segment = scene_.segment(items_.segments[i]);
-        if (!segment || !scene_.isRibbon(*segment)) continue;
-        const auto& [a, b, from, to] = *segment;
-        const Rounding rounding = roundingOf({a.x - samples.x(), a.y - samples.y()},
-                                             {b.x - samples.x(), b.y - samples.y()},
-                                             0.5 * (a.width + b.width), supersample);
-        if (rounding.strength == 0) continue;
-        roundings_.resize(items_.segments.size() + items_.triangles.size() + 1);
-        roundings_[i + 1] = rounding;
-    }
+void Palette::makeRound(std::size_t index, const ScreenSegment& segment) {
+    const auto& [a, b, from, to] = segment;
+    const PixelPoint first = {a.x - items_.x, a.y - items_.y};
+    const PixelPoint last = {b.x - items_.x, b.y - items_.y};
+    const Rounding rounding = roundingOf(first, last, 0.5 * (a.width + b.width), supersample_);
+    if (rounding.strength == 0) return;
+    roundings_.resize(items_.segments.size() + items_.triangles.size() + 1);
+    roundings_[segmentId(index)] = rounding;
 }
 
-Paint Palette::segmentPaint(std::uint32_t node) const {
+Paint Palette::segmentPaint(std::size_t index) {
+    const std::uint32_t node = items_.segments[index];
     const std::optional<ScreenSegment> segment = scene_.segment(node);
     if (!segment) return {};  // nor has it been drawn
+    if (scene_.round() && scene_.isRibbon(*segment)) makeRound(index, *segment);
     return paintOf(*segment, colors_[node], colors_[node + 1], items_.x, items_.y);
 }
 

@@ -42,14 +42,15 @@ public:
     }
 
 private:
-    Paint segmentPaint(std::uint32_t node) const;
-    void makeRound(const SampleTile& samples, int supersample);
+    Paint segmentPaint(std::size_t index);
+    void makeRound(std::size_t index, const ScreenSegment& segment);
     Paint trianglePaint(std::uint32_t index) const;
 
     const Scene& scene_;
     std::span<const Rgb> colors_;
     Paint background_;
     TileItems items_;
+    int supersample_ = 1;
     std::vector<Paint> paints_;
     std::vector<Rounding> roundings_;  // as paints_; none where no strand is wide enough
     std::vector<std::uint8_t> shown_;

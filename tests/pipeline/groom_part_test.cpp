@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Grooms made elsewhere as parts of styles.
+#include "fields.h"
+
 #include <kushi/head.h>
 #include <kushi/rest_shape.h>
 #include <kushi/settle.h>
@@ -87,7 +89,8 @@ Strands curls(int count) {
     return groom;
 }
 
-SettledGroom settled(const Style& style, const SettleOptions& options = {}) {
+SettledGroom settled(const Style& style, SettleOptions options = {}) {
+    options.cacheFolder = test::fieldCache();
     auto groom = settle(style, options);
     EXPECT_TRUE(groom) << toString(groom.problems()[0]);
     if (!groom) return {};

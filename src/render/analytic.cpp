@@ -121,7 +121,7 @@ void AnalyticPainter::drawSegment(std::uint32_t node, const ScreenSegment& segme
     const auto perX = static_cast<float>(x * inverse);
     const auto perY = static_cast<float>(y * inverse);
     const auto start = static_cast<float>(((0.5 - a.x) * x + (0.5 - a.y) * y) * inverse);
-    const double width = 0.5 * perSample * (segment.a.width + segment.b.width);
+    const double width = 0.5 * (segment.a.width + segment.b.width) / supersample_;
     const Rounding rounding = scene_.round() ? roundingOf(a, b, width, 1) : Rounding();
     area_.cover(corners, [&](int column, int row, float area) {
         if (!blend_.isOpen(column, row)) return;

@@ -19,22 +19,37 @@ const std::vector<std::string> layers = {"core",    "geometry", "head",    "groo
                                          "shading", "render",   "trace"};
 
 // Which layer implements each public header; kushi.h includes all of them.
-const std::map<std::string, std::string> headerLayers = {
-    {"result.h", "core"},      {"color.h", "core"},
-    {"vec.h", "geometry"},     {"ellipsoid.h", "geometry"},
-    {"mesh.h", "geometry"},    {"distance_field.h", "geometry"},
-    {"head.h", "head"},        {"strands.h", "groom"},
-    {"pigment.h", "groom"},    {"groom_io.h", "io"},
-    {"image.h", "io"},         {"mesh_io.h", "io"},
-    {"style.h", "style"},      {"follicles.h", "scalp"},
-    {"cantilever.h", "rod"},   {"cantilevers.h", "rod"},
-    {"planar_rod.h", "rod"},   {"rods.h", "rod"},
-    {"rest_shape.h", "rod"},   {"settle_groom.h", "pipeline"},
-    {"settle.h", "pipeline"},  {"push_out.h", "pipeline"},
-    {"fibre.h", "shading"},    {"shade.h", "shading"},
-    {"shadows.h", "shading"},  {"subdivide.h", "groom"},
-    {"layered_image.h", "io"}, {"camera.h", "render"},
-    {"draw.h", "render"},      {"trace.h", "trace"}};
+const std::map<std::string, std::string> headerLayers = {{"result.h", "core"},
+                                                         {"color.h", "core"},
+                                                         {"node_colors.h", "core"},
+                                                         {"vec.h", "geometry"},
+                                                         {"ellipsoid.h", "geometry"},
+                                                         {"mesh.h", "geometry"},
+                                                         {"distance_field.h", "geometry"},
+                                                         {"head.h", "head"},
+                                                         {"strands.h", "groom"},
+                                                         {"pigment.h", "groom"},
+                                                         {"groom_io.h", "io"},
+                                                         {"image.h", "io"},
+                                                         {"mesh_io.h", "io"},
+                                                         {"style.h", "style"},
+                                                         {"follicles.h", "scalp"},
+                                                         {"cantilever.h", "rod"},
+                                                         {"cantilevers.h", "rod"},
+                                                         {"planar_rod.h", "rod"},
+                                                         {"rods.h", "rod"},
+                                                         {"rest_shape.h", "rod"},
+                                                         {"settle_groom.h", "pipeline"},
+                                                         {"settle.h", "pipeline"},
+                                                         {"push_out.h", "pipeline"},
+                                                         {"fibre.h", "shading"},
+                                                         {"shade.h", "shading"},
+                                                         {"shadows.h", "shading"},
+                                                         {"subdivide.h", "groom"},
+                                                         {"layered_image.h", "io"},
+                                                         {"camera.h", "render"},
+                                                         {"draw.h", "render"},
+                                                         {"trace.h", "trace"}};
 
 // Images are plain values that io writes and render fills.
 bool isPlainValue(const std::string& header) {

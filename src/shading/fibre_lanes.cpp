@@ -18,6 +18,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
@@ -216,8 +217,8 @@ namespace kushi {
 
 HWY_EXPORT(scatterHere);
 
-FibreScene::FibreScene(const FibreLook& itsLook, const Lights& itsLights)
-    : look(itsLook), lights(itsLights), far(itsLook.fibre) {
+FibreScene::FibreScene(const FibreLook& itsLook, Lights itsLights)
+    : look(itsLook), lights(std::move(itsLights)), far(itsLook.fibre) {
     const FibreModel<float> model(look.fibre);
     for (std::size_t p = 0; p < 3; ++p) {
         along[p] = model.along[p];

@@ -40,7 +40,7 @@ struct FibreBatch {
 
 /// What fibres of one look in some lights have in common.
 struct FibreScene {
-    FibreScene(const FibreLook& look, const Lights& lights);
+    FibreScene(const FibreLook& itsLook, Lights itsLights);
 
     FibreLook look;
     Lights lights;

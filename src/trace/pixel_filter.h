@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -13,10 +14,10 @@ class PixelFilter {
 public:
     PixelFilter();
 
-    /// Pixels off the middle, in [-1.5, 1.5], for a number in [0, 1).
+    /// Pixels off the middle, in [-1.5, 1.5], for a number in [0, 1].
     float place(float random) const {
         const float x = random * steps;
-        const auto i = static_cast<std::size_t>(x);
+        const std::size_t i = std::min(static_cast<std::size_t>(x), steps - 1);
         return at_[i] + (x - static_cast<float>(i)) * (at_[i + 1] - at_[i]);
     }
 

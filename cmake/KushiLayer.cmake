@@ -35,6 +35,15 @@ function(kushi_layer name)
   target_link_libraries(kushi INTERFACE kushi_${name})
 endfunction()
 
+# kushi_lanes(a.cpp ...): sources of a layer that Highway compiles once for each instruction set. Under
+# sanitizers they would take minutes each.
+function(kushi_lanes)
+  if(KUSHI_SANITIZE)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_DEFINITIONS KUSHI_FEW_TARGETS)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -O1 -fno-sanitize=undefined)
+  endif()
+endfunction()
+
 # kushi_test(LAYER a_test.cpp ...): one test program per layer, linked with that layer alone.
 function(kushi_test layer)
   add_executable(${layer}_tests ${ARGN})

@@ -71,7 +71,7 @@ struct Tie {
 /// Hair that lies on other hair: what it rests on is taken to be thicker by `slope` times the way
 /// from the root, up to the way `reach`.
 struct Layer {
-    float slope = 0;  ///< >= 0
+    float slope = 0;  ///< < 0: thinner, for hair that lies nearer than what would push it
     float reach = 0;  ///< m, >= 0
 };
 

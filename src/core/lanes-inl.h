@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The number the kernels compute with: either a double, for the reference, or as many floats as a
-// register of the processor holds, a strand in each. The kernels are written once, for both.
+// register of the processor holds, a strand or a node in each. The kernels are written once, for
+// both.
 //
 // Compiled once for every instruction set (Highway's foreach_target.h), so no include guard.
 #if defined(KUSHI_CORE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/color_all.h"
 #include "shading/fibre_lanes.h"
+#include "shading/strand_finder.h"
 #include "shading/strand_tilt.h"
-#include "shading/tangents.h"
 
 #include <kushi/pigment.h>
 #include <kushi/shadows.h>
@@ -31,6 +31,7 @@ public:
           eye_(eye),
           batch_(scene.lights.distant.size()),
           passages_(scene.lights.distant.size()),
+          finder_(strands),
           pigment_(pigmentOf(color_ = scene.look.color)) {}
 
     void shade(std::span<const std::uint32_t> nodes, std::span<Rgb> colors) {
@@ -54,21 +55,12 @@ private:
         return pigment;
     }
 
-    /// The strand that has a node: most often that of the node before.
-    void turnTo(std::uint32_t node) {
-        if (node >= first_ && node < end_) return;
-        const std::size_t strand = strands_.strandOf(node);
-        first_ = strands_.offsets[strand];
-        end_ = strands_.offsets[strand + 1];
-        tilt_ = scene_.look.tiltVariation * strandTilt(strands_, strand);
-    }
-
     void put(std::size_t i, std::uint32_t node) {
-        turnTo(node);
+        if (finder_.turnTo(node))
+            tilt_ = scene_.look.tiltVariation * strandTilt(strands_, finder_.strand());
         const Rgb color = strands_.colors.empty() ? scene_.look.color : strands_.colors[node];
         if (color != color_) pigment_ = pigmentOf(color_ = color);
-        const std::span strand = std::span(strands_.nodes).subspan(first_, end_ - first_);
-        const Vec3f tangent = tangentAt(strand, node - first_);
+        const Vec3f tangent = finder_.tangent(node);
         const Vec3f place = strands_.nodes[node];
         const Vec3f toEye = directionBetween(place, eye_);
         const Shadows::Sky sky = shadows_.at(place, toEye, passages_);
@@ -104,7 +96,7 @@ private:
     Vec3f eye_;
     FibreBatch batch_;
     std::vector<Passage> passages_;
-    std::uint32_t first_ = 0, end_ = 0;  // of the strand
+    StrandFinder finder_;
     float tilt_ = 0;
     Rgb color_;
     Pigment pigment_;

@@ -2,7 +2,7 @@
 // The anisotropic shading of Anjyo, Usami & Kurihara 1992, which Usami & Anjyo 1992 use: Blinn's
 // specular model on a cylinder too thin to be seen.
 #include "shading/color_all.h"
-#include "shading/tangents.h"
+#include "shading/strand_finder.h"
 
 #include <kushi/shade.h>
 
@@ -54,16 +54,16 @@ Rgb shadeNode(Vec3f tangent, Vec3f outward, Vec3f toEye, Rgb color, const Lights
 NodeColors nodeColors(const Strands& strands, const Lights& lights, const HairLook& look,
                       Vec3f eye) {
     return [=, &strands](std::span<const std::uint32_t> nodes, std::span<Rgb> colors) {
+        StrandFinder finder(strands);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const std::uint32_t node = nodes[i];
-            const std::size_t strand = strands.strandOf(node);
+            finder.turnTo(node);
             const Vec3f place = strands.nodes[node];
-            const Vec3f tangent = tangentAt(strands.strand(strand), node - strands.offsets[strand]);
             const Rgb color = strands.colors.empty() ? look.color : strands.colors[node];
             const Vec3f outward =
                 look.body ? look.body->normal(place.as<double>()).as<float>() : Vec3f{};
-            colors[i] =
-                shadeNode(tangent, outward, directionBetween(place, eye), color, lights, look);
+            colors[i] = shadeNode(finder.tangent(node), outward, directionBetween(place, eye),
+                                  color, lights, look);
         }
     };
 }

@@ -15,6 +15,14 @@ inline Vec3f directionBetween(Vec3f a, Vec3f b) {
     return size > 0 && std::isfinite(size) ? step / size : Vec3f{};
 }
 
+/// The mean of two unit directions, either of which may be zero; along the first where they are
+/// opposite.
+inline Vec3f meanDirection(Vec3f before, Vec3f after) {
+    const Vec3f sum = before + after;
+    const float size = length(sum);
+    return size > 1e-6F ? sum / size : before;
+}
+
 /// The direction of a strand at node i: the mean of those of the nearest segments before and after
 /// it that have a length, looked for among 32; at the ends, that of the one that exists. Where a
 /// strand folds back on itself it is along the fold, and zero where there is no length.
@@ -26,9 +34,7 @@ inline Vec3f tangentAt(std::span<const Vec3f> nodes, std::size_t i) {
         before = directionBetween(nodes[j - 1], nodes[j]);
     for (std::size_t j = i; j + 1 < nodes.size() && j - i < farthest && after == Vec3f{}; ++j)
         after = directionBetween(nodes[j], nodes[j + 1]);
-    const Vec3f sum = before + after;
-    const float size = length(sum);
-    return size > 1e-6F ? sum / size : before;
+    return meanDirection(before, after);
 }
 
 /// Calls visit(i, t) for every node i with the strand's direction t there, as above, however far
@@ -47,9 +53,7 @@ void forEachTangent(std::span<const Vec3f> nodes, Visit&& visit) {
             }
             if (after == Vec3f{}) searched = nodes.size();
         }
-        const Vec3f sum = before + after;
-        const float size = length(sum);
-        visit(i, size > 1e-6F ? sum / size : before);
+        visit(i, meanDirection(before, after));
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
+#include "farthest.h"
 
 #include <kushi/groom_io.h>
 
@@ -34,13 +35,6 @@ std::string folderWithGroom() {
     EXPECT_TRUE(writeGroom(groom, folder + "/g.hair").ok());
     EXPECT_TRUE(writeGroom(groom, folder + "/g.obj").ok());
     return folder;
-}
-
-float farthest(const Strands& a, const Strands& b) {
-    float most = 0;
-    for (std::size_t j = 0; j < a.nodes.size(); ++j)
-        most = std::max(most, length(a.nodes[j] - b.nodes[j]));
-    return most;
 }
 
 TEST(SettleGroomCommand, ASetGroomStaysPutAndIsReported) {

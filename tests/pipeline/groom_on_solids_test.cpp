@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Grooms made elsewhere that rest against solids.
+#include "farthest.h"
 #include "geometry/solids.h"
 
 #include <kushi/rest_shape.h>
@@ -16,6 +17,8 @@
 
 namespace kushi {
 namespace {
+
+using test::farthest;
 
 // 10 cm wide and deep and 16 cm high, its top at y = 0.
 Mesh blockMesh() {
@@ -65,13 +68,6 @@ Strands beams(float height, float length = 0.14F) {
         groom.add(nodes, static_cast<std::uint64_t>(i));
     }
     return groom;
-}
-
-float farthest(const Strands& a, const Strands& b) {
-    float most = 0;
-    for (std::size_t j = 0; j < a.nodes.size(); ++j)
-        most = std::max(most, length(a.nodes[j] - b.nodes[j]));
-    return most;
 }
 
 // Hair of which nothing is set any more lies over the block as hair does that grows there.

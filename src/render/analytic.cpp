@@ -68,20 +68,24 @@ void AnalyticPainter::findOrder(const TileItems& items) {
 }
 
 void AnalyticPainter::drawGroup(std::span<const std::uint64_t> group) {
+    // Colours are asked for in the order of nodes, and used in that of depth.
     seen_.clear();
+    byNode_.clear();
     for (const std::uint64_t thing : group) {
         const auto node = static_cast<std::uint32_t>(thing);
-        if (mayBeSeen(*scene_.segment(node))) seen_.push_back(node);
+        if (!mayBeSeen(*scene_.segment(node))) continue;
+        byNode_.push_back(std::uint64_t{node} << 32U | seen_.size());
+        seen_.push_back({node, 0});
     }
-    std::sort(seen_.begin(), seen_.end());
-    ends_.ask(colors_, seen_);
-    for (const std::uint64_t thing : group) {
-        const auto node = static_cast<std::uint32_t>(thing);
-        const auto place = std::lower_bound(seen_.begin(), seen_.end(), node);
-        if (place == seen_.end() || *place != node) continue;
-        drawSegment(node, *scene_.segment(node),
-                    ends_[static_cast<std::size_t>(place - seen_.begin())]);
+    std::sort(byNode_.begin(), byNode_.end());
+    nodes_.clear();
+    for (const std::uint64_t entry : byNode_) {
+        seen_[static_cast<std::uint32_t>(entry)].place = nodes_.size();
+        nodes_.push_back(static_cast<std::uint32_t>(entry >> 32U));
     }
+    ends_.ask(colors_, nodes_);
+    for (const auto& [node, place] : seen_)
+        drawSegment(node, *scene_.segment(node), ends_[place]);
 }
 
 PixelPoint AnalyticPainter::onPixels(const ScreenPoint& point) const {

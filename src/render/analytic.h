@@ -28,6 +28,12 @@ public:
     void operator()(const TileItems& items);
 
 private:
+    /// A segment that may be seen, by its first node, and its place in ends_.
+    struct SeenSegment {
+        std::uint32_t node;
+        std::size_t place;
+    };
+
     void findOrder(const TileItems& items);
     /// Some segments of the order, one after the other.
     void drawGroup(std::span<const std::uint64_t> group);
@@ -49,9 +55,11 @@ private:
     SolidDepths solids_;
     AreaCoverage area_;
     Blend blend_;
-    std::vector<std::uint64_t> order_;  // the nearest first: depth over node
-    std::vector<std::uint32_t> seen_;   // nodes of a group's segments that may be seen, ascending
-    EndColors ends_;                    // theirs
+    std::vector<std::uint64_t> order_;   // the nearest first: depth over node
+    std::vector<SeenSegment> seen_;      // of a group, in its order
+    std::vector<std::uint64_t> byNode_;  // node over index in seen_
+    std::vector<std::uint32_t> nodes_;   // of them, ascending
+    EndColors ends_;                     // theirs
 };
 
 }  // namespace kushi

@@ -44,7 +44,8 @@ function(kushi_lanes)
   endif()
 endfunction()
 
-# kushi_test(LAYER a_test.cpp ...): one test program per layer, linked with that layer alone.
+# kushi_test(LAYER a_test.cpp ...): one test program per layer, linked with that layer alone. They share
+# GoogleTest's headers, compiled once.
 function(kushi_test layer)
   add_executable(${layer}_tests ${ARGN})
   target_include_directories(${layer}_tests PRIVATE ${PROJECT_SOURCE_DIR}/src
@@ -52,6 +53,7 @@ function(kushi_test layer)
   target_compile_definitions(${layer}_tests PRIVATE KUSHI_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${layer}_tests PRIVATE kushi_${layer} kushi_options GTest::gmock
                                                GTest::gtest_main)
+  target_precompile_headers(${layer}_tests REUSE_FROM test_headers)
   gtest_discover_tests(${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 900)
 endfunction()

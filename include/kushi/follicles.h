@@ -18,7 +18,7 @@ struct Follicles {
     std::vector<Vec3d> normals;           ///< of the surface there, unit, outwards
     std::vector<EllipsoidAngles> angles;  ///< rad, of the points on the ellipsoid
     std::vector<std::uint64_t> keys;  ///< identity: all that is random about a hair follows from it
-    std::vector<float> shares;  ///< what the mask leaves of the follicles there, in (0, 1]; or
+    std::vector<float> shares;  ///< what mask and edge leave of the follicles there, in (0, 1]; or
                                 ///< empty: all
     double spacing = 0;         ///< m between neighbours before jitter, where all are left
 
@@ -31,7 +31,8 @@ struct Follicles {
 /// the meridians' lengths); along each row follicles are equally spaced by arc length, starting at
 /// a place that the seed chooses. Then each moves by up to +-jitter/2 spacings along both. The
 /// regions test the place where that has put it. For a `count` the spacing is searched, and the few
-/// follicles in excess are taken out evenly: the number is met exactly.
+/// follicles in excess are taken out evenly: the number is met exactly. Towards the regions' border
+/// follicles become less, by the scalp's `edge`.
 ///
 /// On the surface of a head follicles stand as they do on the ellipsoid, but for what follows.
 /// Distances are those on the head: rows stand `spacing` apart along its mean meridian, and along a

@@ -55,7 +55,7 @@ struct HairZone {
     std::span<const AngleRange> ranges;  ///< their union
 };
 
-/// crown, top, front, fringe, sides, left, right, back and nape. They overlap.
+/// crown, top, front, fringe, hairline, sides, left, right, back and nape. They overlap.
 std::span<const HairZone> hairZones();
 
 /// The ranges of a zone; empty if there is none of that name.

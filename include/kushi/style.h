@@ -60,6 +60,7 @@ struct Scalp {
     std::optional<int> count;       ///< follicles
     double jitter = 0.5;            ///< each follicle moves by up to +-jitter/2 spacings, in [0, 1]
     RootRanges regions = RootRanges(1);
+    double edge = 0;  ///< m from the regions' border inwards over which hair becomes less
 
     ScalpSurface surface = ScalpSurface::Ellipsoid;
     /// Of a head: names of groups, objects or materials; hair grows on their triangles only. All if

@@ -73,6 +73,27 @@ std::vector<AngleRange> hairlineBands() {
     return bands;
 }
 
+// What lies within so much theta behind the hairline of the forehead, down to the temples.
+std::vector<AngleRange> hairlineBand() {
+    constexpr double width = 0.5;
+    constexpr double depth = 9;
+    constexpr double temples = 66;
+    std::vector<AngleRange> bands;
+    for (double theta = hairline.front().theta - depth; theta < 83; theta += width) {
+        const double middle = theta + width / 2;
+        const double from = middle < hairline.front().theta ? 0 : phiAt(hairline, middle);
+        const double to = std::min(temples, phiAt(hairline, middle + depth));
+        if (from >= to) continue;
+        if (from == 0) {
+            bands.push_back(inDegrees(theta, theta + width, -to, to));
+        } else {
+            bands.push_back(inDegrees(theta, theta + width, from, to));
+            bands.push_back(inDegrees(theta, theta + width, -to, -from));
+        }
+    }
+    return bands;
+}
+
 constexpr std::array crown = {inDegrees(0, 32, -180, 180)};
 constexpr std::array top = {inDegrees(0, 62, -60, 60)};
 constexpr std::array front = {inDegrees(32, 74, -60, 60)};
@@ -80,16 +101,6 @@ constexpr std::array fringe = {inDegrees(46, 70, -42, 42)};
 constexpr std::array sides = {inDegrees(32, 107, -112, -60), inDegrees(32, 107, 60, 112)};
 constexpr std::array back = {inDegrees(32, 107, 112, 248)};
 constexpr std::array nape = {inDegrees(86, 107, 112, 248)};
-
-constexpr std::array zones = {HairZone{"crown", crown},
-                              HairZone{"top", top},
-                              HairZone{"front", front},
-                              HairZone{"fringe", fringe},
-                              HairZone{"sides", sides},
-                              HairZone{"left", std::span(sides).first(1)},
-                              HairZone{"right", std::span(sides).last(1)},
-                              HairZone{"back", back},
-                              HairZone{"nape", nape}};
 
 }  // namespace
 
@@ -101,11 +112,23 @@ bool AngleRange::contains(EllipsoidAngles angles) const {
 }
 
 std::span<const HairZone> hairZones() {
+    static const std::vector<AngleRange> band = hairlineBand();
+    static const std::array zones = {HairZone{"crown", crown},
+                                     HairZone{"top", top},
+                                     HairZone{"front", front},
+                                     HairZone{"fringe", fringe},
+                                     HairZone{"hairline", band},
+                                     HairZone{"sides", sides},
+                                     HairZone{"left", std::span(sides).first(1)},
+                                     HairZone{"right", std::span(sides).last(1)},
+                                     HairZone{"back", back},
+                                     HairZone{"nape", nape}};
     return zones;
 }
 
 std::span<const AngleRange> hairZone(std::string_view name) {
-    const auto* const found = std::ranges::find(zones, name, &HairZone::name);
+    const std::span<const HairZone> zones = hairZones();
+    const auto found = std::ranges::find(zones, name, &HairZone::name);
     return found == zones.end() ? std::span<const AngleRange>{} : found->ranges;
 }
 

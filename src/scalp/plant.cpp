@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/random.h"
 #include "scalp/area_map.h"
+#include "scalp/border.h"
 #include "scalp/head_surface.h"
 #include "scalp/lattice.h"
 #include "style/ranges.h"
@@ -21,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double mostSites = 20e6;
 constexpr std::size_t mostFollicles = 5000000;
 
-enum Salt : std::uint64_t { RowPhase = 1, JitterTheta = 2, JitterPhi = 3, Paint = 4 };
+enum Salt : std::uint64_t { RowPhase = 1, JitterTheta = 2, JitterPhi = 3, Share = 4 };
 
 // Angles that have been moved over a pole or past +-pi, as the same point's proper ones.
 EllipsoidAngles properAngles(EllipsoidAngles at) {
@@ -37,22 +38,28 @@ EllipsoidAngles properAngles(EllipsoidAngles at) {
 /// Where follicles stand: on the ellipsoid, or carried from it to a head.
 struct Ground {
     const Scalp& scalp;
-    ArcLength meridian;  // by which rows are spaced
+    const Border* border;  // if it is soft
+    ArcLength meridian;    // by which rows are spaced
     const HeadSurface* head = nullptr;
     const AreaMap* areas = nullptr;  // of the head
 };
 
-// Puts a follicle down where its angles are; nothing grows where there is no head, or no paint.
+// Puts a follicle down where its angles are; nothing grows where there is no head, or no paint, and
+// less towards the border.
 void put(const Ground& ground, EllipsoidAngles at, std::uint64_t key, Follicles& follicles) {
     Vec3d root = ground.scalp.ellipsoid.point(at);
     Vec3d normal = ground.scalp.ellipsoid.normal(root);
+    double share = ground.border != nullptr ? ground.border->share(root) : 1;
     if (ground.head != nullptr) {
         const auto place = ground.head->at(root);
-        if (!place || !(uniform(mixKey(key, Paint)) < place->share)) return;
+        if (!place) return;
         root = place->point;
         normal = place->normal;
-        if (ground.scalp.mask) follicles.shares.push_back(static_cast<float>(place->share));
+        share *= place->share;
     }
+    if (!(uniform(mixKey(key, Share)) < share)) return;
+    if (ground.scalp.mask || ground.border != nullptr)
+        follicles.shares.push_back(static_cast<float>(share));
     follicles.roots.push_back(root);
     follicles.normals.push_back(normal);
     follicles.angles.push_back(at);
@@ -76,6 +83,15 @@ Row rowOf(const Ground& ground, const ArcLength& around, double low, double spac
     return {theta, ground.areas->row(begin, end, spacing), 1, end - begin};
 }
 
+// The ranges that may hold what is moved from `theta` by up to `reach` [rad], over a pole too.
+void rangesNear(const RootRanges& ranges, double theta, double reach, RootRanges& near) {
+    near.clear();
+    for (const RootRange& range : ranges) {
+        if (theta >= range.theta.low - reach && theta <= range.theta.high + reach)
+            near.push_back(range);
+    }
+}
+
 Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t seed) {
     const Scalp& scalp = ground.scalp;
     const Ellipsoid& ellipsoid = scalp.ellipsoid;
@@ -83,11 +99,18 @@ Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t s
     Follicles follicles;
     follicles.spacing = spacing;
 
+    const Vec3d axes = ellipsoid.semiAxes;
+    const double leastSpeed = std::min({axes.x, axes.y, axes.z});  // of a meridian
+    RootRanges regions;
     const ArcLength around = equator(ellipsoid);
     const auto rows =
         static_cast<std::uint64_t>(std::ceil(ground.meridian.total() / spacing - 0.5));
     for (std::uint64_t i = 0; i < rows; ++i) {
         const Row row = rowOf(ground, around, static_cast<double>(i) * spacing, spacing);
+        const double turn =
+            row.height > 0 ? reach / spacing * row.height : reach / leastSpeed;  // at most
+        rangesNear(scalp.regions, row.theta, turn, regions);
+        if (regions.empty()) continue;
         const double total = row.scale * row.along.total();
         const double places = std::max(1.0, std::round(total / spacing));
         const std::uint64_t rowKey = mixKey(seed, i);
@@ -104,7 +127,7 @@ Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t s
             at.theta += row.height > 0 ? aside / spacing * row.height
                                        : aside / meridianSpeed(ellipsoid, at);
             at = properAngles(at);
-            if (contains(scalp.regions, at)) put(ground, at, key, follicles);
+            if (contains(regions, at)) put(ground, at, key, follicles);
         }
     }
     return follicles;
@@ -172,13 +195,16 @@ Result<Follicles> plantOn(const Ground& ground, std::uint64_t seed) {
 }  // namespace
 
 Result<Follicles> plant(const Scalp& scalp, std::uint64_t seed, const Mesh& head) {
+    std::optional<Border> soft;
+    if (scalp.edge > 0) soft.emplace(scalp);
+    const Border* border = soft ? &*soft : nullptr;
     if (scalp.surface == ScalpSurface::Ellipsoid)
-        return plantOn({scalp, meanMeridian(scalp.ellipsoid)}, seed);
+        return plantOn({scalp, border, meanMeridian(scalp.ellipsoid)}, seed);
     const Result<HeadSurface> surface = HeadSurface::of(scalp, head);
     if (!surface) return surface.problems();
     const Result<AreaMap> areas = AreaMap::of(scalp, *surface);
     if (!areas) return areas.problems();
-    return plantOn({scalp, areas->meridian(), &*surface, &*areas}, seed);
+    return plantOn({scalp, border, areas->meridian(), &*surface, &*areas}, seed);
 }
 
 }  // namespace kushi

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scalp/point_tree.h"
+
 #include <kushi/follicles.h>
 
 #include <algorithm>
@@ -8,35 +10,13 @@
 #include <queue>
 #include <tuple>
 
-#include <nanoflann.hpp>
-
 namespace kushi {
 
 namespace {
 
-// The view of some follicles that nanoflann asks for, by the names it asks for.
-// NOLINTBEGIN(readability-identifier-naming)
-struct Cloud {
-    const std::vector<Vec3d>& roots;
-    const std::vector<std::size_t>& members;
-
-    std::size_t kdtree_get_point_count() const { return members.size(); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-        const Vec3d& root = roots[members[i]];
-        return axis == 0 ? root.x : (axis == 1 ? root.y : root.z);
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box& /*box*/) const {
-        return false;
-    }
-};
-// NOLINTEND(readability-identifier-naming)
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
-                                                 3, std::size_t>;
-
 // Pairs (index among the members, squared distance), nearest first, ties by index.
-std::vector<std::pair<std::size_t, double>> neighbours(const Tree& tree, Vec3d at, double radius) {
+std::vector<std::pair<std::size_t, double>> neighbours(const PointTree& tree, Vec3d at,
+                                                       double radius) {
     const std::array<double, 3> query = {at.x, at.y, at.z};
     std::vector<std::pair<std::size_t, double>> found;
     tree.radiusSearch(query.data(), radius * radius, found, nanoflann::SearchParams(0, 0, false));
@@ -50,8 +30,12 @@ std::vector<std::pair<std::size_t, double>> neighbours(const Tree& tree, Vec3d a
 std::vector<std::size_t> eliminate(const Follicles& follicles,
                                    const std::vector<std::size_t>& members, double area,
                                    std::size_t scale, std::size_t target) {
-    const Cloud cloud{follicles.roots, members};
-    const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+    std::vector<Vec3d> roots;
+    roots.reserve(members.size());
+    for (const std::size_t member : members)
+        roots.push_back(follicles.roots[member]);
+    const PointCloud cloud{roots};
+    const PointTree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
     const double reach =
         2 * std::sqrt(area / (2 * std::numbers::sqrt3 * static_cast<double>(scale)));
     const auto crowding = [reach](double squaredDistance) {
@@ -66,7 +50,7 @@ std::vector<std::size_t> eliminate(const Follicles& follicles,
         return follicles.shares.empty() ? 1.0 : std::max(leastShare, follicles.shares[members[i]]);
     };
     const auto around = [&](std::size_t i) {
-        return neighbours(tree, follicles.roots[members[i]], reach / std::sqrt(shareOf(i)));
+        return neighbours(tree, roots[i], reach / std::sqrt(shareOf(i)));
     };
     const auto between = [&](std::size_t i, std::size_t j, double squaredDistance) {
         return crowding(std::max(shareOf(i), shareOf(j)) * squaredDistance);

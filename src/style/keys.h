@@ -42,7 +42,7 @@ inline constexpr TableKeys part = {
     "[[part]]", {"name", "scalp", "groom", "hair", "force", "cut", "tie", "highlight"}};
 inline constexpr TableKeys scalp = {
     "[part.scalp]",
-    {"ellipsoid", "spacing", "count", "jitter", "regions", "surface", "groups", "mask"}};
+    {"ellipsoid", "spacing", "count", "jitter", "regions", "edge", "surface", "groups", "mask"}};
 inline constexpr TableKeys ellipsoid = {"ellipsoid", {"center", "semi_axes", "rotate_z"}};
 inline constexpr TableKeys regions = {"regions", {"where", "theta", "phi"}};
 inline constexpr TableKeys groom = {"groom", {"file", "unit", "up", "front", "offset"}};

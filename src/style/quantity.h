@@ -61,6 +61,7 @@ inline constexpr Quantity semiAxis = {0.5, 100, "cm", fromCentimetres, {{"mm", 0
 inline constexpr Quantity rotation = {-360, 360, "degrees", radians};
 inline constexpr Quantity spacing = {0.01, 10, "cm", fromCentimetres, {{"mm", 0.1}, {"m", 100}}};
 inline constexpr Quantity jitter = {0, 1, "spacings", [](double v) { return v; }, {{"%", 0.01}}};
+inline constexpr Quantity edge = {0, 5, "cm", fromCentimetres, {{"mm", 0.1}}};
 inline constexpr Quantity theta = {0, 180, "degrees", radians};
 inline constexpr Quantity phi = {-360, 360, "degrees", radians};
 

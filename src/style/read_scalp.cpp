@@ -96,6 +96,7 @@ Scalp readScalp(const Node& node, ReadContext& context) {
     }
     readDensity(table, scalp);
     table.number("jitter", quantities::jitter, scalp.jitter);
+    table.number("edge", quantities::edge, scalp.edge);
     readSurface(table, scalp);
 
     if (const Node* regions = table.find("regions")) {

@@ -119,12 +119,18 @@ TEST(MannequinHair, RangesMayRunPastHalfATurn) {
 }
 
 TEST(MannequinHair, ZonesLieWhereTheirNamesSay) {
-    EXPECT_EQ(hairZones().size(), 9U);
+    EXPECT_EQ(hairZones().size(), 10U);
     EXPECT_TRUE(inZone("crown", 0, 0));
     EXPECT_TRUE(inZone("top", 45, 0));
     EXPECT_TRUE(inZone("front", 60, 0));
     EXPECT_TRUE(inZone("fringe", 60, 0));
     EXPECT_FALSE(inZone("fringe", 60, 80));
+    EXPECT_TRUE(inZone("hairline", 58, 0));
+    EXPECT_FALSE(inZone("hairline", 50, 0));
+    EXPECT_FALSE(inZone("hairline", 63, 0));
+    EXPECT_TRUE(inZone("hairline", 66, 50));
+    EXPECT_TRUE(inZone("hairline", 66, -50));
+    EXPECT_FALSE(inZone("hairline", 66, 90));
     EXPECT_TRUE(inZone("right", 80, 80));
     EXPECT_FALSE(inZone("right", 80, -80));
     EXPECT_TRUE(inZone("left", 80, -80));

@@ -172,6 +172,45 @@ TEST(Plant, RegionsAreAUnionAndTestTheJitteredPlace) {
     EXPECT_EQ(grown.size(), expected.size());
 }
 
+// The border of a cap about the whorl of a sphere: its distance is known.
+TEST(Plant, TowardsTheEdgeHairBecomesLess) {
+    constexpr double radius = 0.1;
+    Scalp s = scalp(0.0008, 1);
+    s.ellipsoid = {{0, 0, 0}, {radius, radius, radius}, 0};
+    s.regions = {{{0, radians(60)}, {}}};
+    const Follicles all = *plant(s, 4);
+    s.edge = 0.02;
+    const Follicles grown = *plant(s, 4);
+    ASSERT_EQ(grown.shares.size(), grown.size());
+
+    std::vector<double> before(12);
+    std::vector<double> after(12);
+    const auto count = [&](const Follicles& follicles, std::vector<double>& byWay) {
+        for (const EllipsoidAngles& at : follicles.angles) {
+            const double way = radius * (radians(60) - at.theta) / s.edge;
+            byWay[std::min<std::size_t>(11, static_cast<std::size_t>(10 * way))] += 1;
+        }
+    };
+    count(all, before);
+    count(grown, after);
+    for (std::size_t i = 0; i < 12; ++i) {
+        const double expected = std::min(1.0, (static_cast<double>(i) + 0.5) / 10);
+        EXPECT_NEAR(after[i] / before[i], expected, 0.035) << i;
+    }
+    // Those that stay are the same.
+    EXPECT_TRUE(std::ranges::includes(std::set(all.keys.begin(), all.keys.end()),
+                                      std::set(grown.keys.begin(), grown.keys.end())));
+}
+
+TEST(Plant, WithAnEdgeTheCountIsMetToo) {
+    Scalp s = scalp(0, 0.5);
+    s.spacing.reset();
+    s.count = 5000;
+    s.regions = {{{0, radians(80)}, {radians(-90), radians(90)}}};
+    s.edge = 0.03;
+    EXPECT_EQ(plant(s, 9)->size(), 5000U);
+}
+
 TEST(Plant, TheSeedDecidesAndNothingElse) {
     const Scalp s = scalp(0.003, 0.5);
     EXPECT_EQ(plant(s, 5)->roots, plant(s, 5)->roots);

@@ -86,6 +86,7 @@ TEST(Manual, HasTheRangesThatAreChecked) {
         {tables::landmarks, "brows", quantities::place},
         {tables::scalp, "spacing", quantities::spacing},
         {tables::scalp, "jitter", quantities::jitter},
+        {tables::scalp, "edge", quantities::edge},
         {tables::ellipsoid, "center", quantities::place},
         {tables::ellipsoid, "semi_axes", quantities::semiAxis},
         {tables::ellipsoid, "rotate_z", quantities::rotation},

@@ -35,6 +35,7 @@ name = 'tail "1"'
 ellipsoid = { center = [0, 0, 0], semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }
 spacing = 1.3e-1
 jitter = 0.5
+edge = 0.8
 regions = [ { theta = [0, 100], phi = [-180, 180] }, ]
 [part.hair]
 type = "medium"

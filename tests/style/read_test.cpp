@@ -67,6 +67,7 @@ TEST(Style, OfTheFewestKeysHasTheDocumentedDefaults) {
     EXPECT_EQ(part.scalp.ellipsoid.center, (Vec3d{0, 0, 0}));
     EXPECT_EQ(part.scalp.ellipsoid.rotateZ, 0);
     EXPECT_EQ(part.scalp.jitter, 0.5);
+    EXPECT_EQ(part.scalp.edge, 0);
     ASSERT_EQ(part.scalp.regions.size(), 1U);
     expectRange(part.scalp.regions[0].theta, -inf, inf);
     expectRange(part.scalp.regions[0].phi, -inf, inf);
@@ -104,7 +105,7 @@ TEST(Style, ScalpIsConvertedToMetresAndRadians) {
     const Style style = parsed(
         "kushi = 1\n[[part]]\nname = \"tail\"\n[part.scalp]\n"
         "ellipsoid = { center = [1, -2.5, 3], semi_axes = [10.5, 12.5, 8.5], rotate_z = 20 }\n"
-        "count = 50_000\njitter = 0.25\n"
+        "count = 50_000\njitter = 0.25\nedge = 0.75\n"
         "regions = [{ theta = [0, 90] }, { theta = [45, 180], phi = [90, 270] }]\n"
         "[part.hair]\nlength = 25\n");
     ASSERT_EQ(style.parts.size(), 1U);
@@ -116,6 +117,7 @@ TEST(Style, ScalpIsConvertedToMetresAndRadians) {
     EXPECT_EQ(scalp.spacing, std::nullopt);
     EXPECT_EQ(scalp.count, 50'000);
     EXPECT_EQ(scalp.jitter, 0.25);
+    EXPECT_DOUBLE_EQ(scalp.edge, 0.0075);
     ASSERT_EQ(scalp.regions.size(), 2U);
     expectRange(scalp.regions[0].theta, 0, pi / 2);
     expectRange(scalp.regions[0].phi, -inf, inf);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace kushi {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double shortestStep = 2e-4;  // along a segment that grazes a surface [m]
 constexpr double rise = 1.0 / 3;       // of a strand that comes out of its root, by its way
+constexpr double tiny = std::numeric_limits<double>::min();  // more than none
 constexpr int attempts = 12;
 constexpr double same = 1e-6;  // ways whose lack differs by less are as good as each other [m]
 constexpr double straightOn = -0.98;  // cosine of a way to what faces it
@@ -30,8 +32,9 @@ public:
     Clearing(const DistanceField& solids, double margin, Vec3d root)
         : solids_(solids), margin_(margin), start_(distance(root)) {}
 
-    // From `from`, `walked` from the root, by `way`.
-    Want look(Vec3d from, Vec3d way, double walked) const {
+    // From `from`, `walked` from the root, by `way`; no further than to a lack of `enough`.
+    Want look(Vec3d from, Vec3d way, double walked,
+              double enough = std::numeric_limits<double>::infinity()) const {
         const double size = length(way);
         Want worst{-1e9, 0};
         double along = 0;
@@ -39,9 +42,11 @@ public:
             const double here = distance(from + (size > 0 ? along / size : 0) * way);
             const double lack = wanted(walked + along) - here;
             if (lack > worst.lack) worst = {lack, size > 0 ? along / size : 1};
-            if (!(along < size)) return worst;
-            // Distances grow by no more than the way; what is wanted, by less.
-            along = std::min(size, along + std::max(shortestStep, -lack / (1 + rise)));
+            if (!(along < size) || worst.lack >= enough) return worst;
+            // Distances grow by no more than the way, and what is wanted by less: nearer than this,
+            // it is neither taken nor worse than known.
+            const double step = (std::max(worst.lack, 0.0) - lack) / (1 + rise);
+            along = std::min(size, along + std::max(shortestStep, step));
         }
     }
 
@@ -98,7 +103,7 @@ private:
         for (int tilt = 1; tilt <= tilts; ++tilt) {
             const double angle = tilt * std::numbers::pi / tilts;
             const Vec3d next = size * (std::cos(angle) * along + std::sin(angle) * side);
-            const Want found = look(from, next, walked);
+            const Want found = look(from, next, walked, tiny);
             if (found.lack > 0) continue;
             least = found;
             best = next;
@@ -121,7 +126,7 @@ private:
                 const Vec3d next =
                     size * (std::cos(angle) * along +
                             std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v));
-                const Want found = look(from, next, walked);
+                const Want found = look(from, next, walked, least.lack - same);
                 if (found.lack >= least.lack - same) continue;
                 least = found;
                 best = next;
@@ -137,22 +142,9 @@ private:
 
 }  // namespace
 
-double clearance(const DistanceField& solids, std::span<const Vec3f> nodes, double margin) {
+Pushed pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes) {
     const Clearing clearing(solids, margin, nodes[0].as<double>());
-    double lack = -margin;
-    double walked = 0;
-    for (std::size_t j = 1; j < nodes.size(); ++j) {
-        const Vec3d from = nodes[j - 1].as<double>();
-        const Vec3d way = nodes[j].as<double>() - from;
-        lack = std::max(lack, clearing.look(from, way, walked).lack);
-        walked += length(way);
-    }
-    return margin - std::max(lack, 0.0);
-}
-
-bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes) {
-    const Clearing clearing(solids, margin, nodes[0].as<double>());
-    bool all = true;
+    Pushed how = Pushed::No;
     double walked = 0;
     Vec3d moved;  // of all that lies beyond
     Vec3d before;
@@ -162,17 +154,17 @@ bool pushOut(const DistanceField& solids, double margin, std::span<Vec3f> nodes)
         const Vec3d way = to - from;
         const double size = length(way);
         nodes[j] = to.as<float>();
-        if (size > 0 && clearing.look(from, way, walked).lack > 0) {
+        if (size > 0 && clearing.look(from, way, walked, tiny).lack > 0) {
             bool free = false;
             const Vec3d next = clearing.turned(from, before, way, walked, free);
-            all = all && free;
+            how = free && how != Pushed::Stuck ? Pushed::Out : Pushed::Stuck;
             moved = moved + (next - way);
             nodes[j] = (from + next).as<float>();
         }
         walked += size;
         before = nodes[j].as<double>() - from;
     }
-    return all;
+    return how;
 }
 
 }  // namespace kushi

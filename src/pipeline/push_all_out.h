@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "contact/push_out.h"
+
 #include <kushi/push_out.h>
 
 #include <functional>
@@ -14,14 +16,7 @@ inline double marginOf(const DistanceField& solids) {
     return 0.3 * static_cast<double>(solids.spacing);
 }
 
-/// How a strand lies.
-enum class Pushed {
-    No,     ///< it was outside
-    Out,    ///< it has been turned outside
-    Stuck,  ///< it still has a place in solids, or too near
-};
-
-/// pushOut() of one strand; root first [m].
+/// pushOut() of one strand by marginOf(); root first [m].
 Pushed pushOneOut(const DistanceField& solids, std::span<Vec3f> nodes);
 
 /// The same of strands that lie anywhere.

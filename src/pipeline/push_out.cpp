@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/push_out.h"
-
 #include "core/parallel.h"
 #include "pipeline/penetration.h"
 #include "pipeline/push_all_out.h"
@@ -31,9 +29,7 @@ Penetration penetrationOf(const DistanceField& solids, const Strands& groom, int
 }
 
 Pushed pushOneOut(const DistanceField& solids, std::span<Vec3f> nodes) {
-    const double margin = marginOf(solids);
-    if (nodes.size() < 2 || clearance(solids, nodes, margin) >= margin) return Pushed::No;
-    return pushOut(solids, margin, nodes) ? Pushed::Out : Pushed::Stuck;
+    return nodes.empty() ? Pushed::No : pushOut(solids, marginOf(solids), nodes);
 }
 
 PushOutReport pushAllOut(const DistanceField& solids, std::size_t count,

@@ -90,7 +90,7 @@ struct RodWorld {
     std::span<const float> solidFrictions = {};  ///< empty: none
     std::span<const Layer> layers = {};          ///< of each strand; empty: all lie on the skin
     /// Of each segment of all rods, at its middle, times its weight: what stays the same wherever
-    /// the segment goes, as the pressure of other hair in one round of settling. Empty: none.
+    /// the segment goes, as what leads it to where other hair leaves it room. Empty: none.
     std::span<const Vec3f> loads = {};
     /// In the order of their strands. One that lies farther from the root than the hair between
     /// can reach leaves its strand unsettled.

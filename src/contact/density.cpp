@@ -14,30 +14,6 @@ namespace {
 // Of a voxel's volume: what a count of one stands for. A whole voxel of hair is 2^40.
 constexpr double counts = 1099511627776.0;
 
-// How fast pressure grows: a voxel that holds twice of what it may raises the head of pressure by
-// so many voxels in a round. More makes new piles where hair goes.
-constexpr float gain = 0.4F;
-
-// Of a place among voxels' middles: the one before and the share of the way to the next.
-struct Cell {
-    int first;
-    float share;
-};
-
-Cell cellAt(float place, float origin, float size, int count) {
-    const float at = (place - origin) / size - 0.5F;
-    // In this order, what is no number becomes 0.
-    const float held = std::min(std::max(0.0F, at), static_cast<float>(count - 1));
-    const int first = std::min(static_cast<int>(held), count - 2);
-    return {first, held - static_cast<float>(first)};
-}
-
-std::array<Cell, 3> cellsAt(const Voxels& voxels, Vec3f place) {
-    return {cellAt(place.x, voxels.origin.x, voxels.size, voxels.count[0]),
-            cellAt(place.y, voxels.origin.y, voxels.size, voxels.count[1]),
-            cellAt(place.z, voxels.origin.z, voxels.size, voxels.count[2])};
-}
-
 }  // namespace
 
 Voxels voxelsAround(std::span<const Vec3f> places, float size) {
@@ -57,6 +33,22 @@ Voxels voxelsAround(std::span<const Vec3f> places, float size) {
     return voxels;
 }
 
+Corners cornersAt(const Voxels& voxels, Vec3f place) {
+    const float at[] = {place.x - voxels.origin.x, place.y - voxels.origin.y,
+                        place.z - voxels.origin.z};
+    std::array<int, 3> first{};
+    Corners corners{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // In this order, what is no number becomes 0.
+        const float held = std::min(std::max(0.0F, at[axis] / voxels.size - 0.5F),
+                                    static_cast<float>(voxels.count[axis] - 1));
+        first[axis] = std::min(static_cast<int>(held), voxels.count[axis] - 2);
+        corners.farther[axis] = held - static_cast<float>(first[axis]);
+    }
+    corners.first = gridIndex(voxels.count, first[0], first[1], first[2]);
+    return corners;
+}
+
 void Density::add(std::span<const Vec3f> nodes, double section) {
     const double scale =
         counts * section / (double{voxels_.size} * double{voxels_.size} * double{voxels_.size});
@@ -67,17 +59,11 @@ void Density::add(std::span<const Vec3f> nodes, double section) {
         const auto piece = static_cast<float>(scale * double{size} / pieces);
         for (int k = 0; k < pieces; ++k) {
             const float share = (static_cast<float>(k) + 0.5F) / static_cast<float>(pieces);
-            const auto [x, y, z] = cellsAt(voxels_, nodes[j - 1] + share * way);
-            for (int corner = 0; corner < 8; ++corner) {
-                const int dx = corner & 1;
-                const int dy = corner >> 1 & 1;
-                const int dz = corner >> 2;
-                const float weight = (dx == 0 ? 1 - x.share : x.share) *
-                                     (dy == 0 ? 1 - y.share : y.share) *
-                                     (dz == 0 ? 1 - z.share : z.share);
-                volumes_[gridIndex(voxels_.count, x.first + dx, y.first + dy, z.first + dz)] +=
-                    static_cast<std::uint64_t>(weight * piece);
-            }
+            const Corners corners = cornersAt(voxels_, nodes[j - 1] + share * way);
+            forCorners(voxels_, corners, [&](std::size_t voxel, float part) {
+                volumes_[voxel] +=
+                    static_cast<std::uint64_t>(static_cast<std::int64_t>(part * piece));
+            });
         }
     }
 }
@@ -101,60 +87,6 @@ double Density::volume(float least) const {
     for (std::size_t i = 0; i < volumes_.size(); ++i)
         some += packing(i) >= least ? 1 : 0;
     return static_cast<double>(some) * std::pow(double{voxels_.size}, 3);
-}
-
-namespace {
-
-// Each voxel's mean with those beside it, along one axis.
-void blur(std::size_t stride, int along, std::vector<float>& values) {
-    std::vector<float> line;
-    const auto length = static_cast<std::size_t>(along);
-    for (std::size_t first = 0; first < values.size(); ++first) {
-        if (first / stride % length != 0) continue;
-        line.clear();
-        for (std::size_t i = 0; i < length; ++i)
-            line.push_back(values[first + i * stride]);
-        for (std::size_t i = 1; i + 1 < length; ++i)
-            values[first + i * stride] = 0.25F * line[i - 1] + 0.5F * line[i] + 0.25F * line[i + 1];
-    }
-}
-
-}  // namespace
-
-void Pressure::grow(const Density& density, float packing) {
-    std::vector<float> change(heads_.size());
-    for (std::size_t i = 0; i < heads_.size(); ++i) {
-        const float excess = density.packing(i) / packing - 1;
-        // What has become free gives way more slowly, or hair would fall back at once.
-        change[i] = excess > 0 ? std::min(excess, 2.0F) : (heads_[i] > 0 ? 0.25F * excess : 0);
-    }
-    const auto x = static_cast<std::size_t>(voxels_.count[0]);
-    const auto y = static_cast<std::size_t>(voxels_.count[1]);
-    blur(1, voxels_.count[0], change);
-    blur(x, voxels_.count[1], change);
-    blur(x * y, voxels_.count[2], change);
-    for (std::size_t i = 0; i < heads_.size(); ++i)
-        heads_[i] = std::max(0.0F, heads_[i] + gain * voxels_.size * change[i]);
-}
-
-float Pressure::head(int x, int y, int z) const {
-    return heads_[gridIndex(voxels_.count, x, y, z)];
-}
-
-Vec3f Pressure::pull(Vec3f place) const {
-    const auto [x, y, z] = cellsAt(voxels_, place);
-    const auto at = [&, cx = x, cy = y, cz = z](int dx, int dy, int dz) {
-        return head(cx.first + dx, cy.first + dy, cz.first + dz);
-    };
-    const auto mix = [](float a, float b, float share) { return a + share * (b - a); };
-    const auto slope = [&](const auto& difference, float first, float second) {
-        return mix(mix(difference(0, 0), difference(1, 0), first),
-                   mix(difference(0, 1), difference(1, 1), first), second) /
-               -voxels_.size;
-    };
-    return {slope([&](int j, int k) { return at(1, j, k) - at(0, j, k); }, y.share, z.share),
-            slope([&](int i, int k) { return at(i, 1, k) - at(i, 0, k); }, x.share, z.share),
-            slope([&](int i, int j) { return at(i, j, 1) - at(i, j, 0); }, x.share, y.share)};
 }
 
 }  // namespace kushi

@@ -24,6 +24,33 @@ struct Voxels {
 /// Voxels that hold all of some places and two more around them.
 Voxels voxelsAround(std::span<const Vec3f> places, float size);
 
+/// The eight voxels of which the middles are around a place.
+struct Corners {
+    std::size_t first;             ///< the lowest
+    std::array<float, 3> farther;  ///< shares of the way from its middle to the next ones
+};
+
+/// Beyond the outermost middles, as at them.
+Corners cornersAt(const Voxels& voxels, Vec3f place);
+
+/// How much of a place each of the corners has: take(std::size_t voxel, float share).
+template <class Take>
+void forCorners(const Voxels& voxels, const Corners& corners, const Take& take) {
+    const float x = corners.farther[0];
+    const float y = corners.farther[1];
+    const float z = corners.farther[2];
+    const auto pair = [&](std::size_t voxel, float share) {
+        take(voxel, (1 - x) * share);
+        take(voxel + 1, x * share);
+    };
+    const std::size_t row = gridIndex(voxels.count, 0, 1, 0);
+    const std::size_t slice = gridIndex(voxels.count, 0, 0, 1);
+    pair(corners.first, (1 - y) * (1 - z));
+    pair(corners.first + row, y * (1 - z));
+    pair(corners.first + slice, (1 - y) * z);
+    pair(corners.first + row + slice, y * z);
+}
+
 /// How much of each voxel is hair, in whole numbers, so that it does not matter in which order
 /// hairs are added or put together.
 class Density {
@@ -46,25 +73,6 @@ public:
 private:
     Voxels voxels_;
     std::vector<std::uint64_t> volumes_;
-};
-
-/// What hair that is packed too closely does to hair, in multiples of its weight: the gradient of a
-/// head of pressure [m], which grows in each round where there is still too much.
-class Pressure {
-public:
-    explicit Pressure(const Voxels& voxels) : voxels_(voxels), heads_(voxels.total()) {}
-
-    /// packing  that hair may have, > 0
-    void grow(const Density& density, float packing);
-
-    /// On hair at a place.
-    Vec3f pull(Vec3f place) const;
-
-private:
-    float head(int x, int y, int z) const;
-
-    Voxels voxels_;
-    std::vector<float> heads_;
 };
 
 }  // namespace kushi

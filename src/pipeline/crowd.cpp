@@ -21,10 +21,12 @@ void appendThick(const Strands& strands, std::vector<ThickStrand>& all) {
 }
 
 Voxels voxelsFor(std::span<const ThickStrand> strands) {
-    std::vector<Vec3f> places;
-    for (const ThickStrand& strand : strands)
-        places.insert(places.end(), strand.nodes.begin(), strand.nodes.end());
-    return voxelsAround(places, voxelSize);
+    std::vector<Vec3f> ends;
+    for (const ThickStrand& strand : strands) {
+        const Bounds box = boundsOf(strand.nodes);
+        ends.insert(ends.end(), {box.low, box.high});
+    }
+    return voxelsAround(ends, voxelSize);
 }
 
 Density densityOf(std::span<const ThickStrand> strands, const Voxels& voxels, int threads) {

@@ -36,7 +36,8 @@ Vec3f innerEnd(const Part& part, Vec3d root) {
     return (root + std::min(1.0, innerPiece / away) * inward).as<float>();
 }
 
-constexpr int rounds = 3;  // of loosen()
+constexpr int rounds = 3;    // of loosen()
+constexpr float aim = 0.9F;  // of the packing asked for: what is led never comes quite there
 
 // What a block of consecutive follicles has become.
 struct Block {
@@ -137,18 +138,14 @@ public:
         return added;
     }
 
-    // Rounds in which hair that is too close pushes itself apart.
+    // Rounds in which hair that is too close is led apart, twice, and settles again.
     Status loosen() {
         if (!style_.contact.packing || method_ != Method::Equilibrium) return std::monostate{};
         const auto most = static_cast<float>(*style_.contact.packing);
-        const Voxels voxels = voxelsFor(thickStrands());
-        Pressure pressure(voxels);
-        for (int round = 0; round < rounds; ++round) {
-            const Density density = densityOf(thickStrands(), voxels, options_.threads);
-            if (density.largestPacking() <= most) break;
-            pressure.grow(density, most);
+        for (int round = 0; round < rounds && leadApart(most); ++round) {
+            leadApart(most);
             for (GrownPart& grown : grown_) {
-                if (Status settled = grown.hair.settleUnder(pressure); !settled) return settled;
+                if (Status settled = grown.hair.settleAgain(); !settled) return settled;
             }
         }
         return std::monostate{};
@@ -206,6 +203,30 @@ private:
         return grown_.back().hair.settle();
     }
 
+    // Solids are what is seen; the ellipsoid stands for them where there are none.
+    Obstacles obstaclesOf(const Part& part) const {
+        const bool onEllipsoid = part.scalp.surface == ScalpSurface::Ellipsoid;
+        return {solids_ == nullptr && onEllipsoid ? &part.scalp.ellipsoid : nullptr, solids_};
+    }
+
+    bool isInside(Vec3f place) const {
+        return std::ranges::any_of(grown_, [&](const GrownPart& grown) {
+            return kushi::isInside(obstaclesOf(*grown.part), place.as<double>());
+        });
+    }
+
+    // Whether any hair is too close.
+    bool leadApart(float most) {
+        const std::vector<ThickStrand> strands = thickStrands();
+        const Density density = densityOf(strands, voxelsFor(strands), options_.threads);
+        if (density.largestPacking() <= most) return false;
+        const auto inside = [this](Vec3f place) { return isInside(place); };
+        const Spreading spreading(density, aim * most, inside);
+        for (GrownPart& grown : grown_)
+            grown.hair.lead(spreading);
+        return true;
+    }
+
     std::vector<ThickStrand> thickStrands() const {
         std::vector<ThickStrand> all;
         for (const GrownPart& grown : grown_) {
@@ -223,10 +244,7 @@ private:
         SettledPart settled = grown.hair.take();
         groom_.report.pushedOut += settled.pushedOut;
         groom_.report.stuck += settled.stuck;
-        // Solids are what is seen; the ellipsoid stands for them where there are none.
-        const bool onEllipsoid = part.scalp.surface == ScalpSurface::Ellipsoid;
-        const Obstacles obstacles = {
-            solids_ == nullptr && onEllipsoid ? &part.scalp.ellipsoid : nullptr, solids_};
+        const Obstacles obstacles = obstaclesOf(part);
         dress(grown, obstacles, settled);
         const Obstacles* measured = options_.measurePenetration ? &obstacles : nullptr;
         if (method_ == Method::Equilibrium) count(settled.maxResidual, settled.unsettled);

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
+#include "pipeline/lead.h"
 #include "pipeline/push_all_out.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/tie_up.h"
@@ -22,7 +23,19 @@ namespace {
 
 constexpr double mostTurn = 2.2;  // rad in one segment
 
+// Forces in boxes, ties and what hair lies on hold it about as much again as its weight does.
+constexpr float held = 2;
+
 constexpr double everything = std::numeric_limits<double>::infinity();
+
+// Hair that is closer than voxels can tell needs many small steps to come apart: few long ones do
+// as well, but for those that nothing would end.
+Vec3f hasty(Vec3f way) {
+    constexpr float haste = 6;
+    constexpr float longest = 0.01F;  // m
+    const float size = haste * length(way);
+    return (size > longest ? haste * longest / size : haste) * way;
+}
 
 // How a strand came to rest.
 struct Outcome {
@@ -71,9 +84,15 @@ public:
         return std::monostate{};
     }
 
-    Status settleUnder(const Pressure& pressure) {
+    void lead(const Spreading& spreading) {
+        for (Group& group : groups_)
+            lead(spreading, group);
+    }
+
+    Status settleAgain() {
         for (Group& group : groups_) {
-            press(pressure, group);
+            if (Status rested = rest(group, true); !rested) return rested;
+            if (!letGo(group)) continue;
             if (Status rested = rest(group, true); !rested) return rested;
         }
         for (std::uint32_t i = 0; i < follicles_.size(); ++i) {
@@ -216,9 +235,7 @@ private:
         options.threads = how_.threads;
         const RestReport report =
             settleRods(group.rods, worldOf(group), group.state, nodesOf(group), options);
-        const auto current = [&](std::size_t k) {
-            return !warm || &groups_[groupOf_[group.which[k]]] == &group;
-        };
+        const auto current = [&](std::size_t k) { return !warm || isLatest(group, k); };
         for (std::size_t k = 0; k < group.which.size(); ++k)
             if (current(k)) outcomes_[group.which[k]] = {report.residuals[k], true};
         for (const std::uint32_t k : report.unsettled)
@@ -226,19 +243,42 @@ private:
         return std::monostate{};
     }
 
-    // What other hair does to each segment where it is.
-    void press(const Pressure& pressure, Group& group) {
-        const std::span<const Vec3f> nodes = nodesOf(group);
-        group.loads.resize(group.rods.offsets.back());
-        parallelFor(group.rods.size(), 256, how_.threads, [&](std::size_t begin, std::size_t end) {
+    void lead(const Spreading& spreading, Group& group) {
+        const Rods& rods = group.rods;
+        group.loads.resize(rods.offsets.back());
+        parallelFor(rods.size(), 256, how_.threads, [&](std::size_t begin, std::size_t end) {
+            std::vector<Vec3f> ways;
             for (std::size_t k = begin; k < end; ++k) {
-                for (std::size_t j = 0; j < group.rods.segments(k); ++j) {
-                    const std::size_t node = group.rods.firstNode(k) + j;
-                    group.loads[group.rods.offsets[k] + j] =
-                        pressure.pull(0.5F * (nodes[node] + nodes[node + 1]));
-                }
+                if (!isLatest(group, k)) continue;
+                const auto nodes = nodesOf(group).subspan(rods.firstNode(k), rods.segments(k) + 1);
+                ways.clear();
+                for (const Vec3f node : nodes)
+                    ways.push_back(hasty(spreading.way(node)));
+                if (std::ranges::all_of(ways, [](Vec3f way) { return way == Vec3f{}; })) continue;
+                kushi::lead(nodes, ways, std::cbrt(rods.bending[k] / rods.weights[k]), held,
+                            loadsOf(group, k));
             }
         });
+    }
+
+    // What does not come to rest where it is led; whether there is any.
+    bool letGo(Group& group) {
+        bool any = false;
+        for (std::size_t k = 0; k < group.which.size(); ++k) {
+            if (!isLatest(group, k) || outcomes_[group.which[k]].settled) continue;
+            std::ranges::fill(loadsOf(group, k), Vec3f{});
+            any = true;
+        }
+        return any;
+    }
+
+    // Whether no cut has made another of a strand since.
+    bool isLatest(const Group& group, std::size_t k) const {
+        return &groups_[groupOf_[group.which[k]]] == &group;
+    }
+
+    static std::span<Vec3f> loadsOf(Group& group, std::size_t k) {
+        return std::span(group.loads).subspan(group.rods.offsets[k], group.rods.segments(k));
     }
 
     std::vector<Vec3d> nodesOf(std::size_t strand) const {
@@ -292,8 +332,12 @@ std::vector<std::span<const Vec3f>> PartHair::strands() const {
     return progress_->strands();
 }
 
-Status PartHair::settleUnder(const Pressure& pressure) {
-    return progress_->settleUnder(pressure);
+void PartHair::lead(const Spreading& spreading) {
+    progress_->lead(spreading);
+}
+
+Status PartHair::settleAgain() {
+    return progress_->settleAgain();
 }
 
 SettledPart PartHair::take() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "contact/density.h"
+#include "contact/spreading.h"
 #include "pipeline/layers.h"
 
 #include <kushi/distance_field.h>
@@ -40,7 +40,7 @@ struct PartSettling {
     std::span<const float> frictions = {};  ///< of the solids
     float headFriction = 0;                 ///< of the ellipsoid
     LayerMap layers = {};                   ///< what hair lies on; equilibrium only
-    bool again = false;                     ///< settleUnder() is to follow
+    bool again = false;                     ///< settleAgain() is to follow
     int threads = 0;
 };
 
@@ -62,8 +62,12 @@ public:
     /// What is left of the strands, root first.
     std::vector<std::span<const Vec3f>> strands() const;
 
-    /// Anew from where they are, now that other hair presses. By equilibrium only.
-    Status settleUnder(const Pressure& pressure);
+    /// Out of where hair is too close: strands() are moved to about where they will come to rest,
+    /// and what leads them there acts from then on. By equilibrium only.
+    void lead(const Spreading& spreading);
+
+    /// Anew from where they last were at rest, under what leads them.
+    Status settleAgain();
 
     /// At the end. No place of a strand is in the solids, but for the way that its root needs to
     /// come out of them.

@@ -62,27 +62,5 @@ TEST(Density, DoesNotDependOnTheOrder) {
         ASSERT_EQ(one.packing(i), other.packing(i));
 }
 
-TEST(Pressure, PushesHairOutOfWhereThereIsTooMuch) {
-    const Voxels voxels = voxelsAround(box, 0.005F);
-    Density density(voxels);
-    for (int i = 0; i < 4000; ++i)
-        density.add(line({0.05F, 0.025F, 0.015F}, {0.05F, 0.025F, 0.025F}, 2), 5e-9);
-    ASSERT_GT(density.largestPacking(), 0.15F);
-    Pressure pressure(voxels);
-    EXPECT_EQ(length(pressure.pull({0.045F, 0.025F, 0.02F})), 0);
-    pressure.grow(density, 0.1F);
-    // Away from the heap on both sides of it, more after another round, and not far off.
-    EXPECT_LT(pressure.pull({0.045F, 0.025F, 0.02F}).x, 0);
-    EXPECT_GT(pressure.pull({0.055F, 0.025F, 0.02F}).x, 0);
-    EXPECT_EQ(length(pressure.pull({0.01F, 0.025F, 0.02F})), 0);
-    const float once = pressure.pull({0.055F, 0.025F, 0.02F}).x;
-    pressure.grow(density, 0.1F);
-    EXPECT_GT(pressure.pull({0.055F, 0.025F, 0.02F}).x, 1.5F * once);
-    // Hair that is not too close makes none.
-    Pressure none(voxels);
-    none.grow(density, 0.9F);
-    EXPECT_EQ(length(none.pull({0.055F, 0.025F, 0.02F})), 0);
-}
-
 }  // namespace
 }  // namespace kushi

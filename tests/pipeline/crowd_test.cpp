@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -68,6 +69,53 @@ TEST(Crowd, IsLoosenedToThePackingAskedFor) {
     const double asked = *style.contact.packing;
     EXPECT_LT(tooMuch(loose->strands, 0.005, sectionOf(style), asked),
               0.95 * tooMuch(free->strands, 0.005, sectionOf(style), asked));
+}
+
+// A fifth of 50,000 hairs of 75 micrometres, as heavy and as stiff as those and with sections of
+// the same sum, whose lengths are swept into two sheets.
+Style swept() {
+    Style style = headOfHair(10000, 20, 0.25);
+    Hair& hair = style.parts[0].hair;
+    hair.diameter = 168e-6;
+    hair.flexuralRigidity = 6.1e-9;
+    hair.density = 263;
+    constexpr double all = std::numeric_limits<double>::infinity();
+    const auto sweep = [&](Range phi, Box within, Vec3d direction, double magnitude) {
+        Force force;
+        force.roots = {{{}, {radians(phi.low), radians(phi.high)}}};
+        force.within = within;
+        force.direction.vector = normalized(direction);
+        force.magnitude = magnitude;
+        force.falloff.distance = 0.04;
+        style.parts[0].forces.push_back(force);
+    };
+    // From a parting to both sides, off the face, and in below.
+    sweep({0, 180}, {{-0.06, all}, {0.02, all}, {}}, {-0.3, 0, 1}, 1);
+    sweep({-180, 0}, {{-0.06, all}, {0.02, all}, {}}, {-0.3, 0, -1}, 1);
+    sweep({-100, 100}, {{0.02, all}, {-all, 0.02}, {}}, {-1, 0, 0}, 0.5);
+    sweep({-180, 180}, {{}, {-all, -0.07}, {0.09, all}}, {0, 0, -1}, 0.6);
+    sweep({-180, 180}, {{}, {-all, -0.07}, {-all, -0.09}}, {0, 0, 1}, 0.6);
+    return style;
+}
+
+TEST(Crowd, OfSweptHairIsLoosenedToHalfAndToAThird) {
+    Style style = swept();
+    SettleOptions options;
+    options.measurePenetration = true;
+    const auto free = settle(style, options);
+    ASSERT_TRUE(free);
+    for (const double share : {0.5, 0.33}) {
+        const double asked = share * free->report.crowding->packing;
+        style.contact.packing = asked;
+        const auto loose = settle(style, options);
+        ASSERT_TRUE(loose);
+        EXPECT_LE(loose->report.crowding->packing, 1.2 * asked);
+        EXPECT_LE(loose->report.unsettled, 3U);
+        EXPECT_LT(tooMuch(loose->strands, 0.005, sectionOf(style), asked),
+                  0.2 * tooMuch(free->strands, 0.005, sectionOf(style), asked));
+        // It is no bush: what is loose takes little more room.
+        EXPECT_LT(loose->report.crowding->volume, 1.25 * free->report.crowding->volume);
+    }
 }
 
 TEST(Crowd, EndsAlikeWithAnyNumberOfThreads) {

@@ -26,6 +26,14 @@ NewtonOptions patient(double tolerance) {
     return options;
 }
 
+// Long, but each step leads down.
+NewtonOptions searching(double tolerance) {
+    NewtonOptions options = brisk(tolerance, 100, 1);
+    options.search = true;
+    options.maxSteps = 1000;
+    return options;
+}
+
 // From where the rods say to begin, with all of the loads; whether that leads to rest.
 template <class Element>
 bool settleNear(Block<double, Element>& block, const StrandBatch& batch, Progress<double>& at) {
@@ -45,10 +53,16 @@ void settleEach(const StrandBatch& batch) {
         Progress<double> at{};
         const bool near = settleNear(block, batch, at);
         const double tolerance = batch.tolerance;
+        // Steps of straight strands are in axes of their own place, and friction goes by the way
+        // there: neither can be compared with a step that is tried.
+        const bool searchable =
+            Element::freedoms == 3 && block.problem().support.frictions == nullptr;
         // None of these settles every strand, and together they leave out hardly any.
-        for (const NewtonOptions& options : {brisk(tolerance, 100, 1), brisk(tolerance, 10, 0.02),
-                                             patient(tolerance), brisk(tolerance, 3, 1)}) {
+        for (const NewtonOptions& options :
+             {brisk(tolerance, 100, 1), searching(tolerance), brisk(tolerance, 10, 0.02),
+              patient(tolerance), brisk(tolerance, 3, 1)}) {
             if (near) break;
+            if (options.search && !searchable) continue;
             block.unbend();
             nudge(block);
             at = {};

@@ -156,6 +156,43 @@ TEST(RestField, NoPlaceLiesInASolid) {
     EXPECT_GT(lying, all / 8);
 }
 
+// Curls to the waist, which roll and slide on shoulders and back as they come to rest.
+TEST(RestField, LongCurlsComeToRestOnShoulders) {
+    // A body that goes on below the hair.
+    const auto toBody = [](Vec3d at) {
+        return std::min(rest::bustDistance(at),
+                        rest::capsuleDistance(at, {-0.03, -0.3, 0}, {-0.03, -1.3, 0}, 0.15));
+    };
+    const Body body = {
+        "body", toBody, rest::sampled({-0.25, -1.2, -0.3}, {0.2, 0.15, 0.3}, 0.004, toBody), {}};
+    int all = 0, unsettled = 0;
+    for (const double size : {0.6, 0.9}) {
+        Rods rods = hairOn(body, 3 * hairs / 4, {});
+        for (std::size_t i = 0; i < rods.size(); ++i)
+            rods.lengths[i] = static_cast<float>(size - 0.0004 * static_cast<double>(i));
+        rods.offsets.assign(1, 0);
+        for (std::size_t i = 0; i < rods.size(); ++i)
+            rods.offsets.push_back(rods.offsets.back() + 50);
+        rest::curl(rods, {60, 0, 40});
+        for (const Vec3d way : ways) {
+            RodWorld world;
+            world.gravity = way;
+            world.solids = &body.field;
+            const Settled settled = rest::settle(rods, world);
+            double deepest = 1;
+            for (std::size_t i = 0; i < rods.size(); ++i) {
+                if (settled.states[i] != 0)
+                    deepest =
+                        std::min(deepest, nearest(body.distance, strandOf(rods, settled.nodes, i)));
+            }
+            EXPECT_GT(deepest, 0) << size << ' ' << way.x << ' ' << way.y;
+            unsettled += listed(settled);
+            all += static_cast<int>(rods.size());
+        }
+    }
+    EXPECT_LE(unsettled, all / 100);
+}
+
 // A field as the energy of contact sees it: quadratic B-splines, in double and by their definition.
 class Smooth {
 public:

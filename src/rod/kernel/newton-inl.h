@@ -103,6 +103,10 @@ struct NewtonOptions {
     double raise = 16;
     double lower = 0.25;
     double firm = 0;  // it stays after a step that had to be shortened to less than this share
+    // Whether a step that overshoots what is lowest on its way is shortened to there; else one
+    // after which the residual is much larger is taken back. Where hair slides, contacts come and
+    // go, and the residual with them.
+    bool search = false;
     int maxSteps = 40;
     std::size_t few = 0;  // lanes that are left alone: others are to be put beside them
 };
@@ -130,6 +134,10 @@ public:
         V allowed(1e30F);  // residual above which the step is taken back
         MaskOf<V> moved = at.settled;
         MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
+        V low(0);                        // shares of a step that are too little
+        V high(0);                       // and too much
+        V stride(0);                     // the share of a step that was taken
+        V descent(0);                    // the slope of the energy at its beginning, negated
         V& relaxed = at.relaxed;
         for (int step = 0;; ++step) {
             const V little = number<V>(options.curvature);
@@ -146,7 +154,16 @@ public:
             const V told = at.residual;
             sweep<Order::Hessian>(at);
             at.residual = select(at.settled, told, at.residual);
-            const MaskOf<V> good = at.residual <= allowed;
+            MaskOf<V> good = at.residual <= allowed;
+            MaskOf<V> much = at.settled;  // steps that were too long
+            if (options.search) {
+                much = moved & (slope_ > V(0.5F) * descent) & (stride > V(1e-3F));
+                const MaskOf<V> scant =
+                    moved & (slope_ < V(-0.5F) * descent) & (V(0.9F) * high > stride);
+                high = select(much, stride, high);
+                low = select(scant, stride, low);
+                good = !(much | scant);
+            }
             const MaskOf<V> calm = at.residual <= number<V>(options.tolerance);
             // With a shift the pivots tell nothing about stability: an upright strand has no
             // moments to balance and is not at rest.
@@ -162,15 +179,22 @@ public:
             if (step > 0 && !any(back) && count(!at.settled) <= options.few) return;
             closing = go & (at.share >= V(1)) & (at.shift <= V(0)) & (at.residual <= V(3e-3F));
             at.residual = select(good, at.residual, before);
-            if (!contacts_.empty()) {
+            if (!contacts_.empty() && !options.search) {
                 const MaskOf<V> slow =
                     (at.residual > (V(1) - V(0.1F) * relaxed) * last) & (at.shift <= V(0)) & moved;
                 const V longer = least(V(1), number<V>(options.recovery) * relaxed);
                 relaxed =
                     select(slow, most(V(0.1F), V(0.5F) * relaxed), select(moved, longer, relaxed));
             }
-            const V taken = stepShare(go, relaxed, number<V>(options.reach));
-            advance(go, back, taken);
+            const MaskOf<V> shorten = options.search ? back : V(1) < V(0);
+            const V taken = stepShare(go, shorten, relaxed, number<V>(options.reach));
+            const V secant = most(V(0.1F), descent * reciprocal(descent + slope_));
+            const V between = low + select(much & (low <= V(0)), secant, V(0.5F)) * (high - low);
+            stride = select(shorten, between, taken);
+            low = select(shorten, low, V(0));
+            high = select(shorten, high, V(0));
+            descent = select(shorten, descent, descent_);
+            advance(go, back, select(go | shorten, stride, V(0)));
             at.steps = select(at.settled, at.steps, at.steps + V(1));
 
             // Small near a rest that is not stable: a strand just past buckling leaves it by the
@@ -182,7 +206,7 @@ public:
             const V higher = most(number<V>(options.raise) * at.shift, smallest);
             const V next =
                 select(taken < number<V>(options.firm) * relaxed, most(at.shift, smallest), lower);
-            at.shift = select(go, next, select(at.settled, at.shift, higher));
+            at.shift = select(go, next, select(at.settled | shorten, at.shift, higher));
             const MaskOf<V> ready = go & (at.residual <= number<V>(options.readiness));
             const V grown =
                 select(ready, least(V(1), number<V>(options.growth) * at.share), at.share);
@@ -192,8 +216,10 @@ public:
                                   number<V>(options.harmless)),
                              allowed);
             last = select(go, select(jump > V(0), V(1e30F), at.residual), last);
+            // Loads that grow change what is lowest.
+            descent = select(jump > V(0), V(1e30F), descent);
             at.share = grown;
-            moved = go;
+            moved = go | shorten;
         }
     }
 
@@ -405,8 +431,8 @@ private:
 
     // How much of the step to take: no node turns by more than `reach`, nor goes far into a
     // collider at once.
-    HWY_INLINE V stepShare(MaskOf<V> go, V relaxed, V reach) {
-        const V largest = substitute();
+    HWY_INLINE V stepShare(MaskOf<V> go, MaskOf<V> keep, V relaxed, V reach) {
+        const V largest = substitute(keep);
         const V scale = relaxed * least(V(1), reach * reciprocal(most(largest, V(1e-6F))));
         return problem_.support.any() ? untilTouch(go, scale) : scale;
     }
@@ -447,6 +473,7 @@ private:
         const V least = V(1e-6F) * problem_.elements[0].bend;
         V3<V> beyond = at.share * problem_.tipLoad;  // force on the end of segment j
         V worst(0);
+        slope_ = descent_ = V(0);
         if constexpr (order == Order::Hessian) {
             at.stable = V(0) < V(1);
             lastHeld_ = 0;
@@ -478,6 +505,7 @@ private:
             const Column<V, m> gradient = d.gb + carried;
             for (int r = 0; r < m; ++r)
                 worst = most(worst, magnitude(gradient[r]));
+            slope_ += dot(gradient, node.step);
             carried = d.ga;
             if constexpr (order == Order::Gradient) continue;
 
@@ -491,6 +519,7 @@ private:
             } else {
                 const auto factors = factorize(hessian, least, at.stable);
                 node.still = factors.solve(pull);
+                descent_ += dot(pull, node.still);
                 node.byTurn = factors.solve(transposed(d.hab));
                 hessian = d.haa - d.hab * node.byTurn;
                 pull = d.ga - d.hab * node.still;
@@ -554,6 +583,7 @@ private:
 
         const auto factors = factorize(hessian, least, stable);
         node.still = factors.solve(pull);
+        descent_ += dot(pull, node.still);
         node.byTurn = factors.solve(transposed(hab));
         contact.byPlace = factors.solve(transposed(w));
         contact.a = d.a;
@@ -571,8 +601,8 @@ private:
         pull = d.ga - hab * node.still + at * cost.x;
     }
 
-    // Root to tip: the step of each node. Returns the largest turn.
-    HWY_INLINE V substitute() {
+    // Root to tip: the step of each node, but for lanes that keep theirs. Returns the largest turn.
+    HWY_INLINE V substitute(MaskOf<V> keep) {
         Column<V, m> turn = zeros<m>();
         V3<V> moved = {V(0), V(0), V(0)};
         V largest(0);
@@ -586,7 +616,7 @@ private:
             }
             turn = V(-1) * back;
             if (coupled) moved = moved + contacts_[j].b * turn;
-            node.step = turn;
+            node.step = select<V, m>(keep, node.step, turn);
             largest = most(largest, dot(turn, turn));
         }
         return squareRoot(largest);
@@ -594,13 +624,11 @@ private:
 
     // Steps of some lanes, and others back to where they came from.
     HWY_INLINE void advance(MaskOf<V> go, MaskOf<V> back, V scale) {
-        scale = select(go, scale, V(0));
         for (std::size_t j = 1; j < nodes_.size(); ++j) {
             Row& node = nodes_[j];
-            const auto turned = Element::turned(node.state, scale * node.step);
-            const auto next = select(go, turned, select(back, node.before, node.state));
             node.before = select(go, node.state, node.before);
-            node.state = next;
+            const auto from = select(go | back, node.before, node.state);
+            node.state = select(scale > V(0), Element::turned(from, scale * node.step), from);
         }
     }
 
@@ -608,6 +636,8 @@ private:
     std::span<Row> nodes_;
     std::span<Touch> contacts_;
     V curvature_{};
+    V slope_{};                 // of the energy along the last step
+    V descent_{};               // of the energy at the beginning of the next step, downwards
     MaskOf<V> touched_{};       // lanes in which a node touches the collider
     bool stiff_ = false;        // any k of any lane
     std::size_t lastHeld_ = 0;  // the last node whose place counts; 0 if none

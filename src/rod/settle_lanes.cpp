@@ -3,6 +3,7 @@
 // Compiled for every instruction set that the compiler knows; the processor's best is chosen when
 // the program runs.
 #include "core/lane_targets.h"
+#include "rod/guided.h"
 #include "rod/strand_batch.h"
 
 #include <bitset>
@@ -121,25 +122,22 @@ struct Pass {
     int steps;
     bool hasty;
     bool sliding = false;  // for hair that slides off what it lies on
+    bool anew = false;     // with growing loads once more
 };
 
 // A few steps for all; those that need more are put together and go on. What is quick for most is
 // not for all, so that they go on in other ways as well.
-constexpr Pass passes[] = {{100, 0.02, 6, true},
-                           {100, 0.02, 12, true},
-                           {100, 0.02, 40, false},
-                           {10, 0.02, 60, false},
-                           {100, 1, 60, false}};
+constexpr Pass passes[] = {{100, 0.02, 6, true},   {100, 0.02, 12, true},
+                           {100, 0.02, 40, false}, {10, 0.02, 60, false},
+                           {100, 1, 60, false},    {100, 1, 150, false, false, true}};
 // Of hair that has been laid on what it touches, before its loads grow anew.
 constexpr Pass laidPass = {100, 0.02, 40, true, true};
+// Of hair that begins between other hair: what takes longer may go to another rest.
+constexpr Pass guidedPass = {100, 0.02, 16, true, true};
 constexpr Pass warmPass = {100, 0.02, 4, true};
 
 // Lanes that are left for others when no more than these have work.
 constexpr std::size_t fewLanes = Lanes::count / 2;
-// Of hair that has been laid every so many strands go first.
-constexpr std::uint32_t guidesApart = 8;
-// How far apart the roots of two may be between which a third begins, over its length.
-constexpr float guidesReach = 0.1F;
 
 template <class Element>
 class Settling {
@@ -163,15 +161,53 @@ public:
             const Places others = placesLeft();
             left_.clear();
             settleLaid(laid);
-            add(others);
+            if (Element::freedoms == 2 && !batch_.world->forces.empty() && !rough()) {
+                settleGuided(others);
+            } else {
+                add(others);
+            }
         }
+        passAll(start);
+    }
+
+private:
+    // Settles what is in `left_`, and leaves what does not come to rest.
+    void passAll(Start first) {
+        Start start = first;
         for (const Pass& one : passes) {
-            pass(one, start);
+            if (one.anew && first != Start::Cold) continue;
+            pass(one, one.anew ? first : start);
             start = Start::Further;
         }
     }
 
-private:
+    // Hair that forces pull: the guides with growing loads. Leaves what has no two to begin
+    // between, or does not soon come to rest there.
+    void settleGuided(const Places& some) {
+        Guided order(batch_, some);
+        add(order.guides());
+        passAll(Start::Cold);
+        left_.clear();
+        Places alone;
+        const auto release = [&](std::uint32_t done) {
+            Places ended = {done};
+            while (!ended.empty()) {
+                const std::uint32_t one = ended.back();
+                ended.pop_back();
+                order.release(one, [&](const Guided::Between& next) {
+                    const bool begins = beginBetween(next);
+                    if (begins) left_.push_back({next.place});
+                    if (!begins) alone.push_back(next.place);
+                    if (!begins) ended.push_back(next.place);
+                });
+            }
+        };
+        for (const std::uint32_t guide : order.guides())
+            release(guide);
+        left_ = run(guidedPass, Start::Further, release);
+        add(alone);
+    }
+
     // The rest from before may be gone, and where a strand goes from there need not be where
     // growing loads would take it, nor is it there when the loads come back. So what does not come
     // to rest in a few steps begins anew, now and from now on, and ends where a cold solve would.
@@ -241,47 +277,31 @@ private:
         return laid;
     }
 
-    // Hair that lies on something comes to rest much like the hair beside it. So few go first, and
-    // each of the others begins between two that are done.
+    // Hair that lies on something.
     void settleLaid(const Places& laid) {
-        std::vector<std::uint32_t> at(batch_.strands.size());  // among those laid
-        std::vector<std::uint8_t> before(laid.size());         // of its two, which are not yet done
-        for (std::uint32_t i = 0; i < laid.size(); ++i) {
-            at[laid[i]] = i;
-            const std::uint32_t apart = apartOf(i);
-            if (apart < guidesApart) before[i] = i + apart < laid.size() ? 2 : 1;
-            if (apart == guidesApart) left_.push_back({laid[i]});
-        }
+        Guided order(batch_, laid);
+        add(order.guides());
         left_ = run(laidPass, Start::Further, [&](std::uint32_t place) {
-            const std::uint32_t i = at[place];
-            for (std::uint32_t apart = apartOf(i) / 2; apart > 0; apart /= 2) {
-                for (const std::uint32_t k : {i - apart, i + apart}) {
-                    if (k >= laid.size() || --before[k] > 0) continue;
-                    if (k + apart < laid.size())
-                        beginBetween(laid[k - apart], laid[k], laid[k + apart]);
-                    left_.push_back({laid[k]});
-                }
-            }
+            order.release(place, [&](const Guided::Between& next) {
+                beginBetween(next);
+                left_.push_back({next.place});
+            });
         });
     }
 
-    // How far from the i-th of those laid the two are between which it begins; guides have none.
-    static std::uint32_t apartOf(std::uint32_t i) {
-        std::uint32_t apart = 1;
-        while (apart < guidesApart && i % (2 * apart) == 0)
-            apart *= 2;
-        return apart;
-    }
-
-    // If both are at rest and near.
-    void beginBetween(std::uint32_t one, std::uint32_t place, std::uint32_t other) {
-        if (!atRest(one) || !atRest(other)) return;
+    // If both are at rest and alike.
+    bool beginBetween(const Guided::Between& three) {
+        const auto [one, place, other] = three;
+        if (!atRest(one) || !atRest(other)) return false;
         const Vec3f between = root(other) - root(one);
         const Vec3f way = root(place) - root(one);
-        const float reach = guidesReach * batch_.rods->lengths[batch_.strands[place]];
         const float square = std::max(dot(between, between), 1e-12F);
-        if (std::max(square, dot(way, way)) > reach * reach) return;
-        block_.mix(one, other, std::clamp(dot(way, between) / square, 0.0F, 1.0F), place);
+        return block_.mix(one, other, std::clamp(dot(way, between) / square, 0.0F, 1.0F), place);
+    }
+
+    bool rough() const {
+        return batch_.world->obstacleFriction > 0 ||
+               std::ranges::any_of(batch_.world->solidFrictions, [](float f) { return f > 0; });
     }
 
     bool atRest(std::uint32_t place) const { return batch_.states[batch_.strands[place]] != 0; }
@@ -313,9 +333,7 @@ private:
         // Free hair takes about as many steps each, and friction would begin anew where its hair is
         // put beside other.
         const RodWorld& world = *batch_.world;
-        const bool parts =
-            (world.obstacle != nullptr || world.solids != nullptr) && world.obstacleFriction <= 0 &&
-            std::ranges::none_of(world.solidFrictions, [](float f) { return f > 0; });
+        const bool parts = (world.obstacle != nullptr || world.solids != nullptr) && !rough();
         std::vector<Moving> ended;
         for (std::size_t from = 0; from < left_.size();) {
             // What is in the midst of its steps goes on from the state.

@@ -47,6 +47,41 @@ std::size_t listed(const Settled& settled) {
     return static_cast<std::size_t>(std::count(settled.states.begin(), settled.states.end(), 0));
 }
 
+// Which begins between hair beside it, but for few.
+TEST(RestContact, HairThatForcesPullRestsAmongOthersWhereItWouldAlone) {
+    const Rods rods = headOfHair(4000, 25, {});
+    // To both sides, so that some hair may go either way.
+    Force forces[2];
+    forces[0].direction.vector = {0, 0, 1};
+    forces[0].within.z.low = 0;
+    forces[1].direction.vector = {0, 0, -1};
+    forces[1].within.z.high = 0;
+    for (Force& force : forces)
+        force.falloff.distance = 0.02;
+    const std::vector<float> shares(2 * rods.size(), 1.0F);
+    RodWorld world;
+    world.obstacle = &head;
+    world.forces = forces;
+    world.rootShares = shares;
+    const Settled together = rest::settle(rods, world);
+    EXPECT_LE(listed(together), 1U);
+
+    constexpr std::size_t every = 8;
+    std::size_t elsewhere = 0;
+    for (std::size_t i = 0; i < rods.size(); i += every) {
+        Rods one;
+        rest::addRod(one, rods.clamps[i], rods.weights[i], 25, rods.keys[i]);
+        one.roots = {rods.roots[i]};
+        one.lengths = {rods.lengths[i]};
+        one.bending = {rods.bending[i]};
+        one.twisting = {rods.twisting[i]};
+        const Settled alone = rest::settle(one, world);
+        const auto nodes = std::span(together.nodes).subspan(rods.firstNode(i), 26);
+        if (rest::gap(one, 0, alone.nodes, nodes) > 1e-4) ++elsewhere;
+    }
+    EXPECT_LE(elsewhere, rods.size() / every / 100);
+}
+
 TEST(RestContact, NoNodeLiesInTheHead) {
     RodWorld world;
     world.obstacle = &head;

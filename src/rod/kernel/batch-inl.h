@@ -212,7 +212,8 @@ public:
     }
 
     // Turns between those of two strands, to a third; unless the two are bent too differently.
-    void mix(std::uint32_t one, std::uint32_t other, float share, std::uint32_t to) const {
+    // Whether they are not.
+    bool mix(std::uint32_t one, std::uint32_t other, float share, std::uint32_t to) const {
         const auto along = [&](std::size_t j) {
             float cosine = 0;
             for (std::size_t which = 0; which < numbers; ++which)
@@ -220,7 +221,7 @@ public:
             return cosine;
         };
         for (std::size_t j = 1; j <= segments_; ++j)
-            if (!(along(j) > 0.8F)) return;
+            if (!(along(j) > 0.95F)) return false;
         for (std::size_t j = 1; j <= segments_; ++j) {
             const float low = 1 - share;
             const float scale =
@@ -229,6 +230,7 @@ public:
                 turn(to, j, which) =
                     scale * (low * turn(one, j, which) + share * turn(other, j, which));
         }
+        return true;
     }
 
     // Nodes, residuals and what has settled, to where they are wanted, of some lanes.

@@ -48,18 +48,28 @@ struct Pull {
 
 template <class V>
 HWY_INLINE void addForce(const BoxForce<V>& force, const V3<V>& at, Pull<V>& pull) {
-    V share = force.strength;
-    V3<V> slope;  // of the share, over the share
-    Ramp<V> edge[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const Ramp<V> low = ramp(at[axis] - force.low[axis], force.width);
-        const Ramp<V> high = ramp(force.high[axis] - at[axis], force.width);
-        edge[axis] = {low.share * high.share, low.slope * high.share - high.slope * low.share};
+    V depth = least(at[0] - force.low[0], force.high[0] - at[0]);
+    for (int axis = 1; axis < 3; ++axis)
+        depth = least(depth, least(at[axis] - force.low[axis], force.high[axis] - at[axis]));
+    const V half = V(0.5F) * force.width;
+    const MaskOf<V> acts = (depth > -half) & (magnitude(force.strength) > V(0));
+    if (!any(acts)) return;
+    const MaskOf<V> fades = acts & (depth < half);
+
+    V share = select(acts, force.strength, V(0));
+    V3<V> slope = {V(0), V(0), V(0)};
+    if (any(fades)) {
+        Ramp<V> edge[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const Ramp<V> low = ramp(at[axis] - force.low[axis], force.width);
+            const Ramp<V> high = ramp(force.high[axis] - at[axis], force.width);
+            edge[axis] = {low.share * high.share, low.slope * high.share - high.slope * low.share};
+        }
+        slope[0] = share * edge[0].slope * edge[1].share * edge[2].share;
+        slope[1] = share * edge[0].share * edge[1].slope * edge[2].share;
+        slope[2] = share * edge[0].share * edge[1].share * edge[2].slope;
+        share = share * edge[0].share * edge[1].share * edge[2].share;
     }
-    share = share * edge[0].share * edge[1].share * edge[2].share;
-    slope[0] = force.strength * edge[0].slope * edge[1].share * edge[2].share;
-    slope[1] = force.strength * edge[0].share * edge[1].slope * edge[2].share;
-    slope[2] = force.strength * edge[0].share * edge[1].share * edge[2].slope;
 
     V3<V> direction = force.direction;
     if (force.radial) {
@@ -74,9 +84,11 @@ HWY_INLINE void addForce(const BoxForce<V>& force, const V3<V>& at, Pull<V>& pul
         pull.stiffness(2, 2) -= across * (V(1) - direction[2] * direction[2]);
         pull.stiffness(0, 2) += across * direction[0] * direction[2];
         pull.stiffness(2, 0) += across * direction[0] * direction[2];
+        pull.varies = pull.varies | acts;
     }
     pull.force = pull.force + share * direction;
-    pull.varies = pull.varies | (magnitude(share) > V(0)) | (dot(slope, slope) > V(0));
+    if (!any(fades)) return;
+    pull.varies = pull.varies | fades;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
             pull.stiffness(r, c) -= V(0.5F) * (direction[r] * slope[c] + direction[c] * slope[r]);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "core/parallel.h"
-#include "core/random.h"
 #include "messages.h"
 #include "pipeline/grow.h"
 #include "pipeline/layers.h"
 #include "pipeline/root_shares.h"
+#include "pipeline/solids.h"
+#include "pipeline/sources.h"
 #include "rod/strand_batch.h"
 
 #include <kushi/cantilevers.h>
@@ -128,18 +129,23 @@ public:
             return Problem{"only hair that grows and is not tied can be timed; the style has none"};
         const Result<DistanceField> solids = solidsOf(style, {}, threads_);
         if (!solids) return solids.problems();
-        const Result<Mesh> head = headOf(style);
-        if (!head) return head.problems();
+        const Result<std::vector<PartSource>> sources = sourcesOf(style, {}, nullptr);
+        if (!sources) return sources.problems();
+        std::vector<float> frictions;
+        for (const Collider& collider : headAndColliders(style))
+            frictions.push_back(static_cast<float>(collider.friction));
         std::vector<Scene> scenes;
         std::size_t strands = 0;
-        for (const Part& part : style.parts) {
-            Result<Follicles> follicles =
-                plant(part.scalp, mixKey(style.seed, textKey(part.name)), *head);
-            if (!follicles) return follicles.problems();
+        for (std::size_t p = 0; p < style.parts.size(); ++p) {
+            const Part& part = style.parts[p];
+            const auto& [follicles, groom, layers, clumps] = (*sources)[p];
             Scene scene;
             scene.part = &part;
-            scene.rods = grown(part, *follicles, style.solver.segments, style.solver.grading);
-            scene.shares = rootShares(part.forces, follicles->angles);
+            scene.rods = grown(part, follicles, style.solver.segments, style.solver.grading);
+            scene.shares = rootShares(part.forces, follicles.angles);
+            if (!layers.cells.empty())
+                for (const EllipsoidAngles root : follicles.angles)
+                    scene.layers.push_back(layers.at(root));
             scene.nodes.resize(scene.rods.nodeCount());
             strands += scene.rods.size();
             scenes.push_back(std::move(scene));
@@ -152,8 +158,9 @@ public:
                         number = factor * shipped;
                         std::size_t unsettled = 0;
                         for (Scene& scene : scenes)
-                            unsettled += settleScene(scene, style.gravity,
-                                                     solids->empty() ? nullptr : &*solids, warm);
+                            unsettled +=
+                                settleScene(scene, style, solids->empty() ? nullptr : &*solids,
+                                            frictions, warm);
                         return unsettled;
                     });
         return timings_;
@@ -165,18 +172,23 @@ private:
         const Part* part = nullptr;
         Rods rods;
         std::vector<float> shares;
+        std::vector<Layer> layers;
         RestState state;
         std::vector<Vec3f> nodes;
     };
 
-    std::size_t settleScene(Scene& scene, Vec3d gravity, const DistanceField* solids,
-                            bool warm) const {
+    std::size_t settleScene(Scene& scene, const Style& style, const DistanceField* solids,
+                            std::span<const float> frictions, bool warm) const {
         RodWorld world;
-        world.gravity = gravity;
+        world.gravity = style.gravity;
         world.forces = scene.part->forces;
         world.rootShares = scene.shares;
-        world.obstacle = &scene.part->scalp.ellipsoid;
+        const Scalp& scalp = scene.part->scalp;
+        if (scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &scalp.ellipsoid;
         world.solids = solids;
+        world.obstacleFriction = static_cast<float>(style.headFriction);
+        world.solidFrictions = frictions;
+        world.layers = scene.layers;
         return settleRods(scene.rods, world, scene.state, scene.nodes, {1e-5, warm, threads_})
             .unsettled.size();
     }

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace kushi::HWY_NAMESPACE {
@@ -105,7 +106,7 @@ struct NewtonOptions {
     double firm = 0;  // it stays after a step that had to be shortened to less than this share
     // Whether a step that overshoots what is lowest on its way is shortened to there; else one
     // after which the residual is much larger is taken back. Where hair slides, contacts come and
-    // go, and the residual with them.
+    // go, and the residual with them. Of the reference only.
     bool search = false;
     int maxSteps = 40;
     std::size_t few = 0;  // lanes that are left alone: others are to be put beside them
@@ -115,6 +116,8 @@ template <class V, class Element>
 class Newton {
 public:
     static constexpr int m = Element::freedoms;
+    // Searching takes time at every node; only the reference does.
+    static constexpr bool searches = std::is_same_v<V, double>;
     using Row = Node<V, Element>;
     using Touch = Contact<V, Element>;
 
@@ -156,7 +159,7 @@ public:
             at.residual = select(at.settled, told, at.residual);
             MaskOf<V> good = at.residual <= allowed;
             MaskOf<V> much = at.settled;  // steps that were too long
-            if (options.search) {
+            if (searches && options.search) {
                 much = moved & (slope_ > V(0.5F) * descent) & (stride > V(1e-3F));
                 const MaskOf<V> scant =
                     moved & (slope_ < V(-0.5F) * descent) & (V(0.9F) * high > stride);
@@ -179,14 +182,14 @@ public:
             if (step > 0 && !any(back) && count(!at.settled) <= options.few) return;
             closing = go & (at.share >= V(1)) & (at.shift <= V(0)) & (at.residual <= V(3e-3F));
             at.residual = select(good, at.residual, before);
-            if (!contacts_.empty() && !options.search) {
+            if (!contacts_.empty() && !(searches && options.search)) {
                 const MaskOf<V> slow =
                     (at.residual > (V(1) - V(0.1F) * relaxed) * last) & (at.shift <= V(0)) & moved;
                 const V longer = least(V(1), number<V>(options.recovery) * relaxed);
                 relaxed =
                     select(slow, most(V(0.1F), V(0.5F) * relaxed), select(moved, longer, relaxed));
             }
-            const MaskOf<V> shorten = options.search ? back : V(1) < V(0);
+            const MaskOf<V> shorten = searches && options.search ? back : V(1) < V(0);
             const V taken = stepShare(go, shorten, relaxed, number<V>(options.reach));
             const V secant = most(V(0.1F), descent * reciprocal(descent + slope_));
             const V between = low + select(much & (low <= V(0)), secant, V(0.5F)) * (high - low);
@@ -505,7 +508,7 @@ private:
             const Column<V, m> gradient = d.gb + carried;
             for (int r = 0; r < m; ++r)
                 worst = most(worst, magnitude(gradient[r]));
-            slope_ += dot(gradient, node.step);
+            if constexpr (searches) slope_ += dot(gradient, node.step);
             carried = d.ga;
             if constexpr (order == Order::Gradient) continue;
 
@@ -519,7 +522,7 @@ private:
             } else {
                 const auto factors = factorize(hessian, least, at.stable);
                 node.still = factors.solve(pull);
-                descent_ += dot(pull, node.still);
+                if constexpr (searches) descent_ += dot(pull, node.still);
                 node.byTurn = factors.solve(transposed(d.hab));
                 hessian = d.haa - d.hab * node.byTurn;
                 pull = d.ga - d.hab * node.still;
@@ -583,7 +586,7 @@ private:
 
         const auto factors = factorize(hessian, least, stable);
         node.still = factors.solve(pull);
-        descent_ += dot(pull, node.still);
+        if constexpr (searches) descent_ += dot(pull, node.still);
         node.byTurn = factors.solve(transposed(hab));
         contact.byPlace = factors.solve(transposed(w));
         contact.a = d.a;
@@ -616,7 +619,11 @@ private:
             }
             turn = V(-1) * back;
             if (coupled) moved = moved + contacts_[j].b * turn;
-            node.step = select<V, m>(keep, node.step, turn);
+            if constexpr (searches) {
+                node.step = select<V, m>(keep, node.step, turn);
+            } else {
+                node.step = turn;
+            }
             largest = most(largest, dot(turn, turn));
         }
         return squareRoot(largest);

@@ -138,7 +138,8 @@ public:
         std::size_t strands = 0;
         for (std::size_t p = 0; p < style.parts.size(); ++p) {
             const Part& part = style.parts[p];
-            const auto& [follicles, groom, layers, clumps] = (*sources)[p];
+            const Follicles& follicles = (*sources)[p].follicles;
+            const LayerMap& layers = (*sources)[p].layers;
             Scene scene;
             scene.part = &part;
             scene.rods = grown(part, follicles, style.solver.segments, style.solver.grading);

@@ -227,11 +227,13 @@ private:
         return true;
     }
 
+    // Of a preview each is as thick as all that it stands for, so that it takes their space.
     std::vector<ThickStrand> thickStrands() const {
         std::vector<ThickStrand> all;
         for (const GrownPart& grown : grown_) {
+            const double diameter = std::sqrt(grown.source->standsFor) * grown.part->hair.diameter;
             for (const auto nodes : grown.hair.strands())
-                all.push_back({nodes, grown.part->hair.diameter});
+                all.push_back({nodes, diameter});
         }
         for (const GroomOfPart& groom : grooms_)
             appendThick(groom.strands, all);

@@ -94,6 +94,8 @@ Result<PartSource> resized(PartSource source, const Part& part, const Contact& c
         return source;
     }
     if (count <= source.size()) {
+        if (count > 0)
+            source.standsFor = static_cast<double>(source.size()) / static_cast<double>(count);
         source.follicles = thin(source.follicles, count);
         return source;
     }

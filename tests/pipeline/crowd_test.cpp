@@ -118,6 +118,21 @@ TEST(Crowd, OfSweptHairIsLoosenedToHalfAndToAThird) {
     }
 }
 
+// A preview takes the space of all that it stands for.
+TEST(Crowd, OfAPreviewIsLoosenedAsAllOfIt) {
+    Style style = swept();
+    SettleOptions options;
+    options.measurePenetration = true;
+    options.count = 2500;  // of 10,000
+    const auto free = settle(style, options);
+    ASSERT_TRUE(free);
+    const double asked = 0.45 * 4 * free->report.crowding->packing;
+    style.contact.packing = asked;
+    const auto loose = settle(style, options);
+    ASSERT_TRUE(loose);
+    EXPECT_LE(4 * loose->report.crowding->packing, 1.25 * asked);
+}
+
 TEST(Crowd, EndsAlikeWithAnyNumberOfThreads) {
     Style style = crowded();
     style.contact.packing = 0.02;

@@ -21,7 +21,9 @@ std::uint32_t cellOf(Vec3f at) {
     std::uint32_t cell = 0;
     const float numbers[] = {at.x, at.y, at.z};
     for (int axis = 0; axis < 3; ++axis) {
-        const float steps = std::clamp(numbers[axis] / cellSize + cells / 2, 0.0F, cells - 1);
+        // In this order, what is no number becomes 0.
+        const float steps =
+            std::min(std::max(0.0F, numbers[axis] / cellSize + cells / 2), cells - 1);
         const auto whole = static_cast<std::uint32_t>(steps);
         for (int bit = 0; bit < bits; ++bit)
             cell |= (whole >> bit & 1U) << (3 * bit + axis);

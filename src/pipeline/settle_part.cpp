@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "pipeline/cut.h"
 #include "pipeline/grow.h"
+#include "pipeline/lay_under.h"
 #include "pipeline/lead.h"
 #include "pipeline/push_all_out.h"
 #include "pipeline/root_shares.h"
@@ -137,16 +138,23 @@ public:
 private:
     Status settle(std::span<const std::uint32_t> which) {
         std::vector<std::uint32_t> tied;
+        std::vector<std::uint32_t> covered;
         std::vector<std::uint32_t> loose;
         std::vector<WayToTie> ways;
         for (const std::uint32_t i : which) {
             auto way = wayToTie(part_, follicles_.roots[i], follicles_.angles[i],
                                 follicles_.keys[i], sizes_.lengths[i]);
-            (way ? tied : loose).push_back(i);
+            (way ? tied : isUnderCollider(i) ? covered : loose).push_back(i);
             if (way) ways.push_back(std::move(*way));
         }
-        if (Status settled = settleAlike(loose, {}); !settled) return settled;
-        return settleAlike(tied, ways);
+        if (Status settled = settleAlike(loose, Start::Grown); !settled) return settled;
+        if (Status settled = settleAlike(covered, Start::Laid); !settled) return settled;
+        return settleAlike(tied, Start::Tied, ways);
+    }
+
+    bool isUnderCollider(std::uint32_t i) const {
+        return how_.method == Method::Equilibrium && !style_.colliders.empty() &&
+               isCovered(*how_.solids, follicles_.roots[i], follicles_.normals[i]);
     }
 
     // Shortens what the cut meets; returns those whose shape it changes.
@@ -175,8 +183,11 @@ private:
         return changed;
     }
 
-    // Those that no tie holds, or those that go their ways to one.
-    Status settleAlike(std::span<const std::uint32_t> which, std::span<const WayToTie> ways) {
+    enum class Start { Grown, Laid, Tied };
+
+    // Those that begin alike: as they grow, laid under what covers them, or on their ways to a tie.
+    Status settleAlike(std::span<const std::uint32_t> which, Start start,
+                       std::span<const WayToTie> ways = {}) {
         if (which.empty()) return std::monostate{};
         Group group;
         group.which.assign(which.begin(), which.end());
@@ -188,7 +199,8 @@ private:
             for (const std::uint32_t i : which)
                 group.layers.push_back(how_.layers.at(follicles_.angles[i]));
         }
-        group.ties = layAlong(ways, style_.gravity, group.rods);
+        if (start == Start::Laid) layUnder(part_.scalp.ellipsoid, style_.gravity, group.rods);
+        if (start == Start::Tied) group.ties = layAlong(ways, style_.gravity, group.rods);
         group.first = settled_.nodes.size();
         settled_.nodes.resize(group.first + group.rods.nodeCount());
         for (std::size_t k = 0; k < which.size(); ++k) {

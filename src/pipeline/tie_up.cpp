@@ -2,7 +2,7 @@
 #include "pipeline/tie_up.h"
 
 #include "core/random.h"
-#include "rod/polyline_frames.h"
+#include "pipeline/start_along.h"
 #include "style/ranges.h"
 
 #include <algorithm>
@@ -60,17 +60,10 @@ std::vector<Tie> layAlong(std::span<const WayToTie> ways, Vec3d gravity, Rods& r
     std::vector<Tie> ties;
     for (std::uint32_t i = 0; i < ways.size(); ++i) {
         const auto segments = static_cast<std::uint32_t>(rods.segments(i));
-        std::vector<Vec3d> tangents = {directionOf(rods.clamps[i])};
-        double walked = 0;
-        std::uint32_t tied = segments;
-        for (std::uint32_t j = 1; j <= segments; ++j) {
-            walked += rods.segmentLength(i, j - 1);
-            tangents.push_back(directionAt(ways[i], walked, down));
-            if (walked >= ways[i].walked) tied = std::min(tied, j);
-        }
-        const auto frames = framesAlong(tangents, rotationOf(rods.clamps[i]));
-        for (std::uint32_t j = 1; j <= segments; ++j)
-            rods.starts.push_back(frameOf(frames[j]));
+        startAlong(rods, i, [&](double walked) { return directionAt(ways[i], walked, down); });
+        std::uint32_t tied = 1;
+        for (double walked = rods.segmentLength(i, 0); tied < segments && walked < ways[i].walked;)
+            walked += rods.segmentLength(i, tied++);
         ties.push_back({i, tied, ways[i].route.points.back().as<float>()});
     }
     return ties;

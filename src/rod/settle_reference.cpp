@@ -34,14 +34,27 @@ NewtonOptions searching(double tolerance) {
     return options;
 }
 
+// Steps of straight strands are in axes of their own place, and friction goes by the way there:
+// neither can be compared with a step that is tried.
+template <class Element>
+bool searchable(const Block<double, Element>& block) {
+    return Element::freedoms == 3 && block.problem().support.frictions == nullptr;
+}
+
 // From where the rods say to begin, with all of the loads; whether that leads to rest.
 template <class Element>
 bool settleNear(Block<double, Element>& block, const StrandBatch& batch, Progress<double>& at) {
     if (batch.rods->starts.empty()) return false;
-    block.begin();
-    at.share = 1;
-    settleBlock(block, brisk(batch.tolerance, 3, 1), at);
-    return at.settled;
+    for (const NewtonOptions& options :
+         {brisk(batch.tolerance, 3, 1), searching(batch.tolerance)}) {
+        if (options.search && !searchable(block)) continue;
+        block.begin();
+        at = {};
+        at.share = 1;
+        settleBlock(block, options, at);
+        if (at.settled) return true;
+    }
+    return false;
 }
 
 template <class Element>
@@ -53,16 +66,12 @@ void settleEach(const StrandBatch& batch) {
         Progress<double> at{};
         const bool near = settleNear(block, batch, at);
         const double tolerance = batch.tolerance;
-        // Steps of straight strands are in axes of their own place, and friction goes by the way
-        // there: neither can be compared with a step that is tried.
-        const bool searchable =
-            Element::freedoms == 3 && block.problem().support.frictions == nullptr;
         // None of these settles every strand, and together they leave out hardly any.
         for (const NewtonOptions& options :
              {brisk(tolerance, 100, 1), searching(tolerance), brisk(tolerance, 10, 0.02),
               patient(tolerance), brisk(tolerance, 3, 1)}) {
             if (near) break;
-            if (options.search && !searchable) continue;
+            if (options.search && !searchable(block)) continue;
             block.unbend();
             nudge(block);
             at = {};

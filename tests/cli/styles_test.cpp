@@ -342,5 +342,28 @@ TEST(ShippedStyles, HairComesOutUnderTheHat) {
     }
 }
 
+// Hair that no tie leads there, and that grows straight into the hat.
+TEST(ShippedStyles, LooseHairComesOutUnderTheHatToo) {
+    Result<Style> style = readStyle(std::string(KUSHI_SOURCE_DIR) + "/styles/hat.toml");
+    ASSERT_TRUE(style.ok());
+    const Result<std::vector<Mesh>> worn = collidersOf(*style);
+    ASSERT_TRUE(worn.ok());
+    const Crossings hat(worn->front());
+    style->parts[0].ties.clear();
+    SettleOptions options;
+    options.count = 400;
+    options.cacheFolder = fieldCache();
+    options.measurePenetration = true;
+    for (const double length : {0.1, 0.2, 0.4}) {
+        style->parts[0].hair.length = length;
+        const Result<SettledGroom> groom = settle(*style, options);
+        ASSERT_TRUE(groom.ok());
+        EXPECT_LE(groom->report.unsettled, 4U) << length;
+        EXPECT_EQ(groom->report.penetration.at(0).found.strands, 0U) << length;
+        for (std::size_t i = 0; i < groom->strands.size(); ++i)
+            EXPECT_FALSE(hat.crosses(groom->strands.strand(i))) << length << ' ' << i;
+    }
+}
+
 }  // namespace
 }  // namespace kushi::test

@@ -47,7 +47,7 @@ TEST(ShippedStyles, AllAreValidAndSettle) {
         EXPECT_LE(groom->report.unsettled, 2U) << entry.path();
         ++styles;
     }
-    EXPECT_EQ(styles, 18);
+    EXPECT_EQ(styles, 19);
 }
 
 // The first style that a stranger makes.

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace kushi {
@@ -15,9 +16,10 @@ constexpr std::size_t shares = 4;    // grids that are filled side by side
 
 }  // namespace
 
-void appendThick(const Strands& strands, std::vector<ThickStrand>& all) {
+void appendThick(const Strands& strands, double standFor, std::vector<ThickStrand>& all) {
+    const double times = std::sqrt(standFor);
     for (std::size_t i = 0; i < strands.size(); ++i)
-        all.push_back({strands.strand(i), strands.diameters[strands.offsets[i]]});
+        all.push_back({strands.strand(i), times * strands.diameters[strands.offsets[i]]});
 }
 
 Voxels voxelsFor(std::span<const ThickStrand> strands) {

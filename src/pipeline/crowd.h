@@ -16,8 +16,8 @@ struct ThickStrand {
     double diameter = 0;  ///< m
 };
 
-/// Strands with diameters, as thick as they are at their roots.
-void appendThick(const Strands& strands, std::vector<ThickStrand>& all);
+/// Strands with diameters, as thick as `standFor` of what they are at their roots.
+void appendThick(const Strands& strands, double standFor, std::vector<ThickStrand>& all);
 
 /// How much of each voxel of 5 mm is hair. The same from any number of threads.
 Density densityOf(std::span<const ThickStrand> strands, const Voxels& voxels, int threads);

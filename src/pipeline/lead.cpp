@@ -71,7 +71,10 @@ void lead(std::span<Vec3f> nodes, std::span<const Vec3f> ways, float bendLength,
         addSquare(band, j + 1, tension / here, {-1, 1, 0});
         const double spring = 0.5 * (here + behind) / slack;
         addSquare(band, j + 2, spring, {1, 0, 0});
-        const Vec3f along = normalized(nodes[std::min(j + 2, segments)] - nodes[j]);
+        // A cut may have left two nodes at one place.
+        const Vec3f chord = nodes[std::min(j + 2, segments)] - nodes[j];
+        const float size = length(chord);
+        const Vec3f along = size > 0 ? (1 / size) * chord : Vec3f{};
         const Vec3f across = ways[j + 1] - dot(ways[j + 1], along) * along;
         drawn[j + 2] = across.as<double>();
         moved[j + 2] = spring * drawn[j + 2];

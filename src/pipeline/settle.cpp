@@ -236,7 +236,7 @@ private:
                 all.push_back({nodes, diameter});
         }
         for (const GroomOfPart& groom : grooms_)
-            appendThick(groom.strands, all);
+            appendThick(groom.strands, groom.source->standsFor, all);
         return all;
     }
 
@@ -329,7 +329,7 @@ private:
 
     void measureCrowding() {
         std::vector<ThickStrand> all;
-        appendThick(groom_.strands, all);
+        appendThick(groom_.strands, 1, all);
         const Density density = densityOf(all, voxelsFor(all), options_.threads);
         groom_.report.crowding = {double{density.largestPacking()}, density.volume(1e-3F)};
     }

@@ -284,9 +284,10 @@ private:
         return any;
     }
 
-    // Whether no cut has made another of a strand since.
+    // Whether no cut has made another of a strand since, nor taken all of it.
     bool isLatest(const Group& group, std::size_t k) const {
-        return &groups_[groupOf_[group.which[k]]] == &group;
+        const std::uint32_t i = group.which[k];
+        return &groups_[groupOf_[i]] == &group && settled_.stretches[i].count > 0;
     }
 
     static std::span<Vec3f> loadsOf(Group& group, std::size_t k) {

@@ -89,13 +89,13 @@ Strands thinned(const Strands& groom, std::size_t count) {
 // With another number of strands.
 Result<PartSource> resized(PartSource source, const Part& part, const Contact& contact,
                            std::uint64_t seed, const Mesh& head, std::size_t count) {
+    if (count > 0 && count < source.size())
+        source.standsFor = static_cast<double>(source.size()) / static_cast<double>(count);
     if (source.groom) {
         source.groom = thinned(*source.groom, count);
         return source;
     }
     if (count <= source.size()) {
-        if (count > 0)
-            source.standsFor = static_cast<double>(source.size()) / static_cast<double>(count);
         source.follicles = thin(source.follicles, count);
         return source;
     }

@@ -17,7 +17,7 @@ struct PartSource {
     std::optional<Strands> groom;  ///< else; with keys, diameters and colours
     LayerMap layers = {};          ///< what the hair that grows lies on
     ClumpCentres clumps = {};      ///< of all the style's own strands
-    double standsFor = 1;          ///< how many of the style's own each that grows stands for
+    double standsFor = 1;          ///< how many of the style's own each stands for
 
     std::size_t size() const { return groom ? groom->size() : follicles.size(); }
 };

@@ -150,7 +150,8 @@ public:
     void run() {
         const bool given = !batch_.rods->starts.empty();
         Start start = given ? Start::Given : Start::Cold;
-        // With given starts, or while other hair presses, the rest is the one near where they were.
+        // With given starts, or while other hair leads it, the rest is the one near where they
+        // were.
         if (batch_.warm && (given || !batch_.world->loads.empty())) {
             pass(warmPass, Start::Warm);
             start = Start::Further;

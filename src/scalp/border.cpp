@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace kushi {
 
@@ -22,20 +23,29 @@ Vec3d crossing(const Scalp& scalp, EllipsoidAngles inside, EllipsoidAngles outsi
     return scalp.ellipsoid.point(inside);
 }
 
-// The crossings along the lines of a grid.
+// The crossings along the lines of a grid, as fine as the edge asks for.
 std::vector<Vec3d> crossings(const Scalp& scalp) {
-    constexpr int rows = 180;
-    constexpr int columns = 360;
-    const auto at = [](int row, int column) {
-        return EllipsoidAngles{radians(row + 0.5), radians(column - 180 + 0.5)};
+    constexpr int coarsest = 180;
+    constexpr int finest = 500;
+    const Vec3d axes = scalp.ellipsoid.semiAxes;
+    const double around = std::numbers::pi * std::max({axes.x, axes.y, axes.z});
+    const int rows =
+        static_cast<int>(std::clamp(6 * around / scalp.edge, double{coarsest}, double{finest}));
+    const int columns = 2 * rows;
+    const auto at = [rows](int row, int column) {
+        const double step = std::numbers::pi / rows;
+        return EllipsoidAngles{step * (row + 0.5), step * (column + 0.5) - std::numbers::pi};
     };
     std::array<std::vector<bool>, 2> held;  // of a row and the one before
     std::vector<Vec3d> points;
     for (int row = 0; row < rows; ++row) {
         std::swap(held[0], held[1]);
         held[0].clear();
+        RootRanges inRow;
+        for (const RootRange& range : scalp.regions)
+            if (share(range.theta, at(row, 0).theta) > 0) inRow.push_back(range);
         for (int column = 0; column < columns; ++column)
-            held[0].push_back(contains(scalp.regions, at(row, column)));
+            held[0].push_back(contains(inRow, at(row, column)));
 
         const auto compare = [&](bool here, bool there, EllipsoidAngles a, EllipsoidAngles b) {
             if (here != there) points.push_back(crossing(scalp, here ? a : b, here ? b : a));
@@ -43,7 +53,7 @@ std::vector<Vec3d> crossings(const Scalp& scalp) {
         for (int column = 0; column < columns; ++column) {
             const auto i = static_cast<std::size_t>(column);
             const bool here = held[0][i];
-            compare(here, held[0][(i + 1) % columns], at(row, column), at(row, column + 1));
+            compare(here, held[0][(i + 1) % held[0].size()], at(row, column), at(row, column + 1));
             if (row > 0) compare(here, held[1][i], at(row, column), at(row - 1, column));
         }
     }

@@ -9,8 +9,8 @@
 
 namespace kushi {
 
-/// Where the regions of a scalp end, as points of the line that lie about 2 mm apart on a head. Of
-/// regions narrower than a degree some may be missed.
+/// Where the regions of a scalp end, as points of the line that are no farther apart than a sixth
+/// of its `edge`, or a thousandth of a turn. Of regions narrower than a degree some may be missed.
 class Border {
 public:
     explicit Border(const Scalp& scalp);

@@ -165,7 +165,8 @@ Result<Follicles> plantCount(const Ground& ground, std::size_t count, std::uint6
     for (int round = 0; round < 60; ++round) {
         if (area / (guess * guess) > mostSites) {
             return Problem{"the regions are too small for " + std::to_string(count) +
-                           " follicles; widen them or give a smaller count"};
+                           " follicles; widen them or give a smaller count" +
+                           (ground.border != nullptr ? " or edge" : "")};
         }
         Follicles planted = plantWithSpacing(ground, guess, seed);
         const auto number = static_cast<double>(planted.size());

@@ -43,8 +43,8 @@ std::vector<std::size_t> eliminate(const Follicles& follicles,
         return std::pow(nearness, 8);
     };
 
-    // By a mask hair is sparser, and neighbours farther apart. Of two the denser place counts, so
-    // that each is as near to the other.
+    // By mask or edge hair is sparser, and neighbours farther apart. Of two the denser place
+    // counts, so that each is as near to the other.
     constexpr float leastShare = 0.04F;
     const auto shareOf = [&](std::size_t i) {
         return follicles.shares.empty() ? 1.0 : std::max(leastShare, follicles.shares[members[i]]);

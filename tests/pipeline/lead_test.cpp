@@ -3,7 +3,9 @@
 
 #include <kushi/rods.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -83,6 +85,23 @@ TEST(Lead, DoesNotDrawHairAlongItself) {
     const Led hair = led({0, -1, 0}, limp, {0, 0.01F, 0});
     EXPECT_LT(hair.moved, 1e-5);
     EXPECT_LT(hair.off, 1e-5);
+}
+
+// A cut may leave two nodes at one place, or one segment.
+TEST(Lead, BearsWhatCutsLeave) {
+    const auto finite = [](std::span<const Vec3f> all) {
+        return std::ranges::all_of(all, [](Vec3f v) { return std::isfinite(length(v)); });
+    };
+    std::vector<Vec3f> twice = {{0, 0, 0}, {0, -0.01F, 0}, {0, -0.01F, 0}};
+    std::vector<Vec3f> one = {{0, 0, 0}, {0, -0.01F, 0}};
+    for (std::vector<Vec3f>* nodes : {&twice, &one}) {
+        const std::vector<Vec3f> ways(nodes->size(), Vec3f{0.002F, 0, 0});
+        std::vector<Vec3f> loads(nodes->size() - 1);
+        lead(*nodes, ways, 0.03F, 1, loads);
+        EXPECT_TRUE(finite(*nodes));
+        EXPECT_TRUE(finite(loads));
+        EXPECT_GT(loads[0].x, 0);
+    }
 }
 
 }  // namespace

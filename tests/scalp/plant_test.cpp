@@ -202,13 +202,32 @@ TEST(Plant, TowardsTheEdgeHairBecomesLess) {
                                       std::set(grown.keys.begin(), grown.keys.end())));
 }
 
+// A narrow edge has no beads of hair on the border: the outermost quarter of it bears an eighth.
+TEST(Plant, ANarrowEdgeIsAsSoft) {
+    constexpr double radius = 0.1;
+    Scalp s = scalp(0.0004, 1);
+    s.ellipsoid = {{0, 0, 0}, {radius, radius, radius}, 0};
+    s.regions = {{{0, radians(40)}, {}}};
+    const auto outermost = [&](const Follicles& follicles) {
+        return static_cast<double>(std::ranges::count_if(follicles.angles, [&](EllipsoidAngles at) {
+            return radius * (radians(40) - at.theta) < 0.0005;
+        }));
+    };
+    const double before = outermost(*plant(s, 4));
+    s.edge = 0.002;
+    EXPECT_NEAR(outermost(*plant(s, 4)) / before, 0.125, 0.05);
+}
+
 TEST(Plant, WithAnEdgeTheCountIsMetToo) {
     Scalp s = scalp(0, 0.5);
     s.spacing.reset();
     s.count = 5000;
     s.regions = {{{0, radians(80)}, {radians(-90), radians(90)}}};
     s.edge = 0.03;
-    EXPECT_EQ(plant(s, 9)->size(), 5000U);
+    const Follicles follicles = *plant(s, 9);
+    ASSERT_EQ(follicles.size(), 5000U);
+    ASSERT_EQ(follicles.shares.size(), 5000U);
+    EXPECT_LT(std::ranges::min(follicles.shares), 0.5F);
 }
 
 TEST(Plant, TheSeedDecidesAndNothingElse) {

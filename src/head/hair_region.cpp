@@ -79,7 +79,10 @@ std::vector<AngleRange> hairlineBand() {
     constexpr double depth = 9;
     constexpr double temples = 66;
     std::vector<AngleRange> bands;
-    for (double theta = hairline.front().theta - depth; theta < 83; theta += width) {
+    constexpr double first = hairline.front().theta - depth;
+    constexpr auto count = static_cast<int>((83 - first) / width);
+    for (int i = 0; i < count; ++i) {
+        const double theta = first + i * width;
         const double middle = theta + width / 2;
         const double from = middle < hairline.front().theta ? 0 : phiAt(hairline, middle);
         const double to = std::min(temples, phiAt(hairline, middle + depth));

@@ -28,11 +28,10 @@ Vec3d goalOf(const Ellipsoid& head, Vec3d down, Vec3d root, Vec3d growth, double
 }  // namespace
 
 bool isCovered(const DistanceField& solids, Vec3d root, Vec3d normal) {
-    constexpr double from = 0.005;  // beyond the head's own surface
-    constexpr double to = 0.04;
-    constexpr double step = 0.001;
-    for (double way = from; way < to; way += step)
-        if (distanceAt(solids, (root + way * normal).as<float>()) < 0) return true;
+    constexpr int from = 5;  // beyond the head's own surface [mm]
+    constexpr int to = 40;
+    for (int way = from; way < to; ++way)
+        if (distanceAt(solids, (root + 1e-3 * way * normal).as<float>()) < 0) return true;
     return false;
 }
 

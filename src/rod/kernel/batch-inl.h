@@ -70,6 +70,8 @@ public:
           contacts_(contactRoom_.items()) {
         for (V& row : rowRoom_.items())
             row = V(0);
+        for (Node<V, Element>& node : nodes_)
+            node.position = {V(0), V(0), V(0)};
         if (const Ellipsoid* e = batch.world->obstacle) {
             ellipsoid_.center = everywhere<V>(e->center);
             const Vec3d axes[] = {e->toWorldDirection({1 / e->semiAxes.x, 0, 0}),
@@ -505,8 +507,10 @@ private:
         const bool rough = world.obstacleFriction > 0 ||
                            std::ranges::any_of(world.solidFrictions, [](float f) { return f > 0; });
         support.frictions = rough ? &world : nullptr;
-        for (Contact<V, Element>& contact : contacts_)
+        for (Contact<V, Element>& contact : contacts_) {
             contact.held = V(0);
+            contact.distance = V(0);  // nothing is known of what is around
+        }
         contacts_[0].layer = V(0);
         for (std::size_t j = 1; j <= segments_; ++j) {
             walked += elements_[j - 1].length;

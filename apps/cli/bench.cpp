@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "pipeline/grow.h"
 #include "pipeline/layers.h"
+#include "pipeline/part_world.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/solids.h"
 #include "pipeline/sources.h"
@@ -100,9 +101,7 @@ public:
         rest("curly-solids", curly, world);
         const LayerMap map =
             layerMapOf(straight.scalp.ellipsoid, *follicles, straight.hair.diameter, 0.15);
-        std::vector<Layer> layers;
-        for (const EllipsoidAngles root : follicles->angles)
-            layers.push_back(map.at(root));
+        const std::vector<Layer> layers = map.of(follicles->angles);
         world.layers = layers;
         rest("layers", rods, world);
         reference(rods);
@@ -131,22 +130,17 @@ public:
         if (!solids) return solids.problems();
         const Result<std::vector<PartSource>> sources = sourcesOf(style, {}, nullptr);
         if (!sources) return sources.problems();
-        std::vector<float> frictions;
-        for (const Collider& collider : headAndColliders(style))
-            frictions.push_back(static_cast<float>(collider.friction));
+        const std::vector<float> frictions = frictionsOf(style);
         std::vector<Scene> scenes;
         std::size_t strands = 0;
         for (std::size_t p = 0; p < style.parts.size(); ++p) {
             const Part& part = style.parts[p];
             const Follicles& follicles = (*sources)[p].follicles;
-            const LayerMap& layers = (*sources)[p].layers;
             Scene scene;
             scene.part = &part;
             scene.rods = grown(part, follicles, style.solver.segments, style.solver.grading);
             scene.shares = rootShares(part.forces, follicles.angles);
-            if (!layers.cells.empty())
-                for (const EllipsoidAngles root : follicles.angles)
-                    scene.layers.push_back(layers.at(root));
+            scene.layers = (*sources)[p].layers.of(follicles.angles);
             scene.nodes.resize(scene.rods.nodeCount());
             strands += scene.rods.size();
             scenes.push_back(std::move(scene));
@@ -180,15 +174,8 @@ private:
 
     std::size_t settleScene(Scene& scene, const Style& style, const DistanceField* solids,
                             std::span<const float> frictions, bool warm) const {
-        RodWorld world;
-        world.gravity = style.gravity;
-        world.forces = scene.part->forces;
+        RodWorld world = worldOf(style, *scene.part, solids, frictions);
         world.rootShares = scene.shares;
-        const Scalp& scalp = scene.part->scalp;
-        if (scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &scalp.ellipsoid;
-        world.solids = solids;
-        world.obstacleFriction = static_cast<float>(style.headFriction);
-        world.solidFrictions = frictions;
         world.layers = scene.layers;
         return settleRods(scene.rods, world, scene.state, scene.nodes, {1e-5, warm, threads_})
             .unsettled.size();

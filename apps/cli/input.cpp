@@ -39,10 +39,7 @@ Result<Solids> solidsFor(const std::string& stylePath, const std::string& groomP
         return Problem{"has nothing to keep hair out of: no head that collides and no [[collider]]",
                        stylePath};
     }
-    Solids solids = {std::move(*field), {}};
-    for (const Collider& collider : headAndColliders(*style))
-        solids.frictions.push_back(static_cast<float>(collider.friction));
-    return solids;
+    return Solids{std::move(*field), frictionsOf(*style)};
 }
 
 Result<bool> isStylePath(const std::string& path) {

@@ -44,18 +44,19 @@ double phiAt(std::span<const EdgePoint> edge, double theta) {
     return from.phi + (theta - from.theta) / (to.theta - from.theta) * (to.phi - from.phi);
 }
 
-// Bands of theta so narrow that their ends make a line.
-std::vector<AngleRange> hairlineBands() {
-    constexpr double width = 0.5;
+// Of bands of theta that are so narrow that their ends make a line [degrees].
+constexpr double bandWidth = 0.5;
+
+std::vector<AngleRange> insideHairline() {
     std::vector<AngleRange> bands = {inDegrees(0, hairline.front().theta, -180, 180)};
     const double first = hairline.front().theta;
-    const auto count = static_cast<int>(std::ceil((behindEar.back().theta - first) / width));
+    const auto count = static_cast<int>(std::ceil((behindEar.back().theta - first) / bandWidth));
     for (int i = 0; i < count; ++i) {
-        const double theta = first + i * width;
+        const double theta = first + i * bandWidth;
         const auto add = [&](double from, double to) {
-            bands.push_back(inDegrees(theta, theta + width, from, to));
+            bands.push_back(inDegrees(theta, theta + bandWidth, from, to));
         };
-        const double middle = theta + width / 2;
+        const double middle = theta + bandWidth / 2;
         if (middle < beforeEar.front().theta) {
             const double front = phiAt(hairline, middle);
             add(front, 360 - front);
@@ -74,24 +75,23 @@ std::vector<AngleRange> hairlineBands() {
 }
 
 // What lies within so much theta behind the hairline of the forehead, down to the temples.
-std::vector<AngleRange> hairlineBand() {
-    constexpr double width = 0.5;
+std::vector<AngleRange> behindForehead() {
     constexpr double depth = 9;
     constexpr double temples = 66;
     std::vector<AngleRange> bands;
     constexpr double first = hairline.front().theta - depth;
-    constexpr auto count = static_cast<int>((83 - first) / width);
+    constexpr auto count = static_cast<int>((83 - first) / bandWidth);
     for (int i = 0; i < count; ++i) {
-        const double theta = first + i * width;
-        const double middle = theta + width / 2;
+        const double theta = first + i * bandWidth;
+        const double middle = theta + bandWidth / 2;
         const double from = middle < hairline.front().theta ? 0 : phiAt(hairline, middle);
         const double to = std::min(temples, phiAt(hairline, middle + depth));
         if (from >= to) continue;
         if (from == 0) {
-            bands.push_back(inDegrees(theta, theta + width, -to, to));
+            bands.push_back(inDegrees(theta, theta + bandWidth, -to, to));
         } else {
-            bands.push_back(inDegrees(theta, theta + width, from, to));
-            bands.push_back(inDegrees(theta, theta + width, -to, -from));
+            bands.push_back(inDegrees(theta, theta + bandWidth, from, to));
+            bands.push_back(inDegrees(theta, theta + bandWidth, -to, -from));
         }
     }
     return bands;
@@ -115,7 +115,7 @@ bool AngleRange::contains(EllipsoidAngles angles) const {
 }
 
 std::span<const HairZone> hairZones() {
-    static const std::vector<AngleRange> band = hairlineBand();
+    static const std::vector<AngleRange> band = behindForehead();
     static const std::array zones = {HairZone{"crown", crown},
                                      HairZone{"top", top},
                                      HairZone{"front", front},
@@ -136,7 +136,7 @@ std::span<const AngleRange> hairZone(std::string_view name) {
 }
 
 std::span<const AngleRange> hairRegion() {
-    static const std::vector<AngleRange> bands = hairlineBands();
+    static const std::vector<AngleRange> bands = insideHairline();
     return bands;
 }
 

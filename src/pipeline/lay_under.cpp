@@ -10,7 +10,6 @@ namespace kushi {
 
 namespace {
 
-constexpr double clearance = 0.003;  // of the ways over the head [m]
 constexpr double leaning = 2;  // what it counts where hair grows to, against where its root is
 
 // Where a strand goes that is laid over the head: beside it, as far below as the strand is long.
@@ -22,7 +21,7 @@ Vec3d goalOf(const Ellipsoid& head, Vec3d down, Vec3d root, Vec3d growth, double
     const Vec3d side =
         kushi::length(aside) > 1e-3 ? normalized(aside) : normalized(level({-1, 0, 0.1}));
     const double widest = std::max({head.semiAxes.x, head.semiAxes.y, head.semiAxes.z});
-    return head.center + (widest + clearance) * side + (widest + length) * down;
+    return head.center + (widest + overHead) * side + (widest + length) * down;
 }
 
 }  // namespace
@@ -36,13 +35,13 @@ bool isCovered(const DistanceField& solids, Vec3d root, Vec3d normal) {
 }
 
 void layUnder(const Ellipsoid& head, Vec3d gravity, Rods& rods) {
-    const Vec3d down = length(gravity) > 0 ? normalized(gravity) : Vec3d{0, -1, 0};
+    const Vec3d down = fallOf(gravity);
     for (std::uint32_t i = 0; i < rods.size(); ++i) {
         const Vec3d root = rods.roots[i].as<double>();
         const Route way = around(head, root,
                                  goalOf(head, down, root, directionOf(rods.clamps[i]),
                                         static_cast<double>(rods.lengths[i])),
-                                 clearance);
+                                 overHead);
         startAlong(rods, i, [&](double walked) { return way.directionAt(walked); });
     }
 }

@@ -84,6 +84,14 @@ Layer LayerMap::at(EllipsoidAngles root) const {
     return cells[static_cast<std::size_t>(cell)];
 }
 
+std::vector<Layer> LayerMap::of(std::span<const EllipsoidAngles> roots) const {
+    std::vector<Layer> layers;
+    if (cells.empty()) return layers;
+    for (const EllipsoidAngles root : roots)
+        layers.push_back(at(root));
+    return layers;
+}
+
 LayerMap layerMapOf(const Ellipsoid& ellipsoid, const Follicles& follicles, double diameter,
                     double packing) {
     const Meadow meadow(ellipsoid, follicles);

@@ -4,6 +4,7 @@
 #include <kushi/follicles.h>
 #include <kushi/rods.h>
 
+#include <span>
 #include <vector>
 
 namespace kushi {
@@ -13,6 +14,8 @@ struct LayerMap {
     std::vector<Layer> cells;  ///< of theta and phi; none: they lie on the skin
 
     Layer at(EllipsoidAngles root) const;
+    /// Of each of some roots; empty if they lie on the skin.
+    std::vector<Layer> of(std::span<const EllipsoidAngles> roots) const;
 };
 
 /// Hair that grows below a strand on its way down the scalp, from the ellipsoid's pole along the

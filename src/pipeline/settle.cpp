@@ -126,10 +126,8 @@ public:
           options_(options),
           method_(method),
           solids_(solids.empty() ? nullptr : &solids),
-          all_(static_cast<double>(all)) {
-        for (const Collider& collider : headAndColliders(style))
-            frictions_.push_back(static_cast<float>(collider.friction));
-    }
+          all_(static_cast<double>(all)),
+          frictions_(frictionsOf(style)) {}
 
     Status add(const Part& part, const PartSource& source) {
         Status added = source.groom ? addGroom(part, source) : grow(part, source);
@@ -195,7 +193,6 @@ private:
         how.segments = options_.segments.value_or(style_.solver.segments);
         how.solids = solids_;
         how.frictions = frictions_;
-        how.headFriction = static_cast<float>(style_.headFriction);
         how.again = style_.contact.packing && method_ == Method::Equilibrium;
         how.threads = options_.threads;
         how.layers = source.layers;
@@ -210,6 +207,7 @@ private:
     }
 
     bool isInside(Vec3f place) const {
+        if (solids_ != nullptr) return distanceAt(*solids_, place) < 0;
         return std::ranges::any_of(grown_, [&](const GrownPart& grown) {
             return kushi::isInside(obstaclesOf(*grown.part), place.as<double>());
         });

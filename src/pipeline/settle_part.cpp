@@ -6,6 +6,7 @@
 #include "pipeline/grow.h"
 #include "pipeline/lay_under.h"
 #include "pipeline/lead.h"
+#include "pipeline/part_world.h"
 #include "pipeline/push_all_out.h"
 #include "pipeline/root_shares.h"
 #include "pipeline/tie_up.h"
@@ -194,11 +195,9 @@ private:
         // The walk knows equal segments only.
         const double grading = how_.method == Method::Cantilever ? 1 : style_.solver.grading;
         group.rods = grow(part_, follicles_, sizes_, which, grading);
-        group.shares = rootShares(part_.forces, picked(follicles_.angles, which));
-        if (!how_.layers.cells.empty()) {
-            for (const std::uint32_t i : which)
-                group.layers.push_back(how_.layers.at(follicles_.angles[i]));
-        }
+        const std::vector<EllipsoidAngles> angles = picked(follicles_.angles, which);
+        group.shares = rootShares(part_.forces, angles);
+        group.layers = how_.layers.of(angles);
         if (start == Start::Laid) layUnder(part_.scalp.ellipsoid, style_.gravity, group.rods);
         if (start == Start::Tied) group.ties = layAlong(ways, style_.gravity, group.rods);
         group.first = settled_.nodes.size();
@@ -219,15 +218,8 @@ private:
     }
 
     RodWorld worldOf(const Group& group) const {
-        RodWorld world;
-        world.gravity = style_.gravity;
-        world.forces = part_.forces;
+        RodWorld world = kushi::worldOf(style_, part_, how_.solids, how_.frictions);
         world.rootShares = group.shares;
-        // Hair that grows from a head below or above the ellipsoid is not kept out of that.
-        if (part_.scalp.surface == ScalpSurface::Ellipsoid) world.obstacle = &part_.scalp.ellipsoid;
-        world.solids = how_.solids;
-        world.obstacleFriction = how_.headFriction;
-        world.solidFrictions = how_.frictions;
         world.layers = group.layers;
         world.ties = group.ties;
         world.loads = group.loads;

@@ -38,7 +38,6 @@ struct PartSettling {
     int segments = 24;                      ///< of strands that are not cut
     const DistanceField* solids = nullptr;  ///< kept outside of; none if null
     std::span<const float> frictions = {};  ///< of the solids
-    float headFriction = 0;                 ///< of the ellipsoid
     LayerMap layers = {};                   ///< what hair lies on; equilibrium only
     bool again = false;                     ///< settleAgain() is to follow
     int threads = 0;

@@ -33,6 +33,15 @@ Result<std::vector<Mesh>> meshesOf(std::span<const Collider> colliders) {
     return meshes;
 }
 
+// What solidsOf() is made of, in its order.
+std::vector<Collider> headAndColliders(const Style& style) {
+    std::vector<Collider> all;
+    if (style.headCollides && style.headMesh != "none")
+        all.push_back({style.headMesh, style.headPlacement, style.headGap, style.headFriction});
+    all.insert(all.end(), style.colliders.begin(), style.colliders.end());
+    return all;
+}
+
 }  // namespace
 
 Result<Mesh> headOf(const Style& style) {
@@ -43,12 +52,11 @@ Result<std::vector<Mesh>> collidersOf(const Style& style) {
     return meshesOf(style.colliders);
 }
 
-std::vector<Collider> headAndColliders(const Style& style) {
-    std::vector<Collider> all;
-    if (style.headCollides && style.headMesh != "none")
-        all.push_back({style.headMesh, style.headPlacement, style.headGap, style.headFriction});
-    all.insert(all.end(), style.colliders.begin(), style.colliders.end());
-    return all;
+std::vector<float> frictionsOf(const Style& style) {
+    std::vector<float> frictions;
+    for (const Collider& collider : headAndColliders(style))
+        frictions.push_back(static_cast<float>(collider.friction));
+    return frictions;
 }
 
 Result<DistanceField> solidsOf(const Style& style, const std::string& cacheFolder, int threads) {

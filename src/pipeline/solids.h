@@ -7,7 +7,8 @@
 
 namespace kushi {
 
-/// What solidsOf() is made of, in its order: the head, if it collides, and the colliders.
-std::vector<Collider> headAndColliders(const Style& style);
+/// Coulomb's coefficients of what solidsOf() is made of: the head, if it collides, and the
+/// colliders.
+std::vector<float> frictionsOf(const Style& style);
 
 }  // namespace kushi

@@ -10,6 +10,14 @@
 
 namespace kushi {
 
+/// Of what is laid over the head, over its surface [m].
+inline constexpr double overHead = 0.003;
+
+/// Where hair falls to; down where there is no gravity.
+inline Vec3d fallOf(Vec3d gravity) {
+    return length(gravity) > 0 ? normalized(gravity) : Vec3d{0, -1, 0};
+}
+
 /// Where strand i begins: its segments go as `directionAt` says for the way walked to the end of
 /// each [m]. To be called for every strand in turn.
 void startAlong(Rods& rods, std::uint32_t i, const auto& directionAt) {

@@ -12,8 +12,7 @@ namespace kushi {
 
 namespace {
 
-constexpr double clearance = 0.003;  // of the ways over the head [m]
-constexpr double spring = 0.03;      // hair turns down within so much behind a tie [m]
+constexpr double spring = 0.03;  // hair turns down within so much behind a tie [m]
 constexpr std::uint64_t radiusSalt = 0x7469652d72;
 constexpr std::uint64_t slackSalt = 0x7469652d73;
 
@@ -48,7 +47,7 @@ std::optional<WayToTie> wayToTie(const Part& part, Vec3d root, EllipsoidAngles a
         part.ties, [&](const HairTie& one) { return share(one.roots, angles, 0) > 0; });
     if (tie == part.ties.end()) return std::nullopt;
     WayToTie way;
-    way.route = around(head, root, placeIn(*tie, head.center, root, key), clearance);
+    way.route = around(head, root, placeIn(*tie, head.center, root, key), overHead);
     const double slack = tie->slack * (0.5 + uniform(mixKey(key, slackSalt)));
     way.walked = way.route.length * (1 + slack);
     if (way.walked >= length) return std::nullopt;
@@ -56,7 +55,7 @@ std::optional<WayToTie> wayToTie(const Part& part, Vec3d root, EllipsoidAngles a
 }
 
 std::vector<Tie> layAlong(std::span<const WayToTie> ways, Vec3d gravity, Rods& rods) {
-    const Vec3d down = length(gravity) > 0 ? normalized(gravity) : Vec3d{0, -1, 0};
+    const Vec3d down = fallOf(gravity);
     std::vector<Tie> ties;
     for (std::uint32_t i = 0; i < ways.size(); ++i) {
         const auto segments = static_cast<std::uint32_t>(rods.segments(i));

@@ -196,10 +196,12 @@ private:
                 const std::uint32_t one = ended.back();
                 ended.pop_back();
                 order.release(one, [&](const Guided::Between& next) {
-                    const bool begins = beginBetween(next);
-                    if (begins) left_.push_back({next.place});
-                    if (!begins) alone.push_back(next.place);
-                    if (!begins) ended.push_back(next.place);
+                    if (beginBetween(next)) {
+                        left_.push_back({next.place});
+                    } else {
+                        alone.push_back(next.place);
+                        ended.push_back(next.place);
+                    }
                 });
             }
         };

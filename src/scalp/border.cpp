@@ -41,9 +41,7 @@ std::vector<Vec3d> crossings(const Scalp& scalp) {
     for (int row = 0; row < rows; ++row) {
         std::swap(held[0], held[1]);
         held[0].clear();
-        RootRanges inRow;
-        for (const RootRange& range : scalp.regions)
-            if (share(range.theta, at(row, 0).theta) > 0) inRow.push_back(range);
+        const RootRanges inRow = rangesNear(scalp.regions, at(row, 0).theta, 0);
         for (int column = 0; column < columns; ++column)
             held[0].push_back(contains(inRow, at(row, column)));
 

@@ -83,15 +83,6 @@ Row rowOf(const Ground& ground, const ArcLength& around, double low, double spac
     return {theta, ground.areas->row(begin, end, spacing), 1, end - begin};
 }
 
-// The ranges that may hold what is moved from `theta` by up to `reach` [rad], over a pole too.
-void rangesNear(const RootRanges& ranges, double theta, double reach, RootRanges& near) {
-    near.clear();
-    for (const RootRange& range : ranges) {
-        if (theta >= range.theta.low - reach && theta <= range.theta.high + reach)
-            near.push_back(range);
-    }
-}
-
 Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t seed) {
     const Scalp& scalp = ground.scalp;
     const Ellipsoid& ellipsoid = scalp.ellipsoid;
@@ -101,7 +92,6 @@ Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t s
 
     const Vec3d axes = ellipsoid.semiAxes;
     const double leastSpeed = std::min({axes.x, axes.y, axes.z});  // of a meridian
-    RootRanges regions;
     const ArcLength around = equator(ellipsoid);
     const auto rows =
         static_cast<std::uint64_t>(std::ceil(ground.meridian.total() / spacing - 0.5));
@@ -109,7 +99,7 @@ Follicles plantWithSpacing(const Ground& ground, double spacing, std::uint64_t s
         const Row row = rowOf(ground, around, static_cast<double>(i) * spacing, spacing);
         const double turn =
             row.height > 0 ? reach / spacing * row.height : reach / leastSpeed;  // at most
-        rangesNear(scalp.regions, row.theta, turn, regions);
+        const RootRanges regions = rangesNear(scalp.regions, row.theta, turn);
         if (regions.empty()) continue;
         const double total = row.scale * row.along.total();
         const double places = std::max(1.0, std::round(total / spacing));

@@ -64,4 +64,15 @@ inline bool contains(std::span<const RootRange> roots, EllipsoidAngles at) {
     return std::ranges::any_of(roots, [at](const RootRange& r) { return contains(r, at); });
 }
 
+/// The ranges that may hold what lies at most `reach` from a row of constant theta, over a pole
+/// too [rad].
+inline RootRanges rangesNear(std::span<const RootRange> roots, double theta, double reach) {
+    RootRanges near;
+    for (const RootRange& range : roots) {
+        if (theta >= range.theta.low - reach && theta <= range.theta.high + reach)
+            near.push_back(range);
+    }
+    return near;
+}
+
 }  // namespace kushi

@@ -52,15 +52,21 @@ double sectionOf(const Style& style) {
     return std::numbers::pi / 4 * diameter * diameter;
 }
 
-TEST(Crowd, IsLoosenedToThePackingAskedFor) {
-    Style style = crowded();
+// Settled, and its packing measured.
+Result<SettledGroom> measured(const Style& style, std::optional<std::size_t> count = {}) {
     SettleOptions options;
     options.measurePenetration = true;
-    const auto free = settle(style, options);
+    options.count = count;
+    return settle(style, options);
+}
+
+TEST(Crowd, IsLoosenedToThePackingAskedFor) {
+    Style style = crowded();
+    const auto free = measured(style);
     ASSERT_TRUE(free);
     const double before = free->report.crowding->packing;
     style.contact.packing = 0.8 * before;
-    const auto loose = settle(style, options);
+    const auto loose = measured(style);
     ASSERT_TRUE(loose);
     EXPECT_LE(loose->report.crowding->packing, 1.2 * *style.contact.packing);
     EXPECT_LT(loose->report.crowding->packing, before);
@@ -100,14 +106,12 @@ Style swept() {
 
 TEST(Crowd, OfSweptHairIsLoosenedToHalfAndToAThird) {
     Style style = swept();
-    SettleOptions options;
-    options.measurePenetration = true;
-    const auto free = settle(style, options);
+    const auto free = measured(style);
     ASSERT_TRUE(free);
     for (const double share : {0.5, 0.33}) {
         const double asked = share * free->report.crowding->packing;
         style.contact.packing = asked;
-        const auto loose = settle(style, options);
+        const auto loose = measured(style);
         ASSERT_TRUE(loose);
         EXPECT_LE(loose->report.crowding->packing, 1.2 * asked);
         EXPECT_LE(loose->report.unsettled, 3U);
@@ -121,14 +125,12 @@ TEST(Crowd, OfSweptHairIsLoosenedToHalfAndToAThird) {
 // A preview takes the space of all that it stands for.
 TEST(Crowd, OfAPreviewIsLoosenedAsAllOfIt) {
     Style style = swept();
-    SettleOptions options;
-    options.measurePenetration = true;
-    options.count = 2500;  // of 10,000
-    const auto free = settle(style, options);
+    constexpr std::size_t count = 2500;  // of 10,000
+    const auto free = measured(style, count);
     ASSERT_TRUE(free);
     const double asked = 0.45 * 4 * free->report.crowding->packing;
     style.contact.packing = asked;
-    const auto loose = settle(style, options);
+    const auto loose = measured(style, count);
     ASSERT_TRUE(loose);
     EXPECT_LE(4 * loose->report.crowding->packing, 1.25 * asked);
 }

@@ -137,10 +137,11 @@ public:
         V allowed(1e30F);  // residual above which the step is taken back
         MaskOf<V> moved = at.settled;
         MaskOf<V> closing = at.settled;  // whose next step is likely to be the last
-        V low(0);                        // shares of a step that are too little
-        V high(0);                       // and too much
-        V stride(0);                     // the share of a step that was taken
-        V descent(0);                    // the slope of the energy at its beginning, negated
+        const bool searching = searches && options.search;
+        V low(0);      // shares of a step that are too little
+        V high(0);     // and too much
+        V stride(0);   // the share of a step that was taken
+        V descent(0);  // the slope of the energy at its beginning, negated
         V& relaxed = at.relaxed;
         for (int step = 0;; ++step) {
             const V little = number<V>(options.curvature);
@@ -159,7 +160,7 @@ public:
             at.residual = select(at.settled, told, at.residual);
             MaskOf<V> good = at.residual <= allowed;
             MaskOf<V> much = at.settled;  // steps that were too long
-            if (searches && options.search) {
+            if (searching) {
                 much = moved & (slope_ > V(0.5F) * descent) & (stride > V(1e-3F));
                 const MaskOf<V> scant =
                     moved & (slope_ < V(-0.5F) * descent) & (V(0.9F) * high > stride);
@@ -182,14 +183,14 @@ public:
             if (step > 0 && !any(back) && count(!at.settled) <= options.few) return;
             closing = go & (at.share >= V(1)) & (at.shift <= V(0)) & (at.residual <= V(3e-3F));
             at.residual = select(good, at.residual, before);
-            if (!contacts_.empty() && !(searches && options.search)) {
+            if (!contacts_.empty() && !searching) {
                 const MaskOf<V> slow =
                     (at.residual > (V(1) - V(0.1F) * relaxed) * last) & (at.shift <= V(0)) & moved;
                 const V longer = least(V(1), number<V>(options.recovery) * relaxed);
                 relaxed =
                     select(slow, most(V(0.1F), V(0.5F) * relaxed), select(moved, longer, relaxed));
             }
-            const MaskOf<V> shorten = searches && options.search ? back : V(1) < V(0);
+            const MaskOf<V> shorten = searching ? back : V(1) < V(0);
             const V taken = stepShare(go, shorten, relaxed, number<V>(options.reach));
             const V secant = most(V(0.1F), descent * reciprocal(descent + slope_));
             const V between = low + select(much & (low <= V(0)), secant, V(0.5F)) * (high - low);
